@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/binary.h"
+#include "core/base/options.h"
+#include "core/base/progress.h"
+#include "core/billboard/billboard.h"
+
+namespace bosk {
+
+struct CompressOptions {
+  int colour_codewords = 1024;  // per level, 1 to 4096
+  int alpha_codewords = 512;    // per level, 1 to 4096
+};
+Options describe(CompressOptions& options);
+
+inline constexpr std::uint16_t kPrunedIndex = 0xffff;
+
+// Textures of one billboard level as indices, in the order [cell][view][block row][block column].
+// A block of the texture whose alpha is 0 everywhere has alpha index kPrunedIndex and colour index 0.
+// Codewords are numbered so that near numbers look alike: indices of neighbours then pack well.
+struct CodedLevel {
+  std::vector<std::uint16_t> alpha_indices, colour_indices;
+  std::uint32_t first_alpha_tile = 0, alpha_codewords = 0;    // into the atlas
+  std::uint32_t first_colour_tile = 0, colour_codewords = 0;
+};
+
+// All codewords in one picture; layout as CodeAtlas in package/tree_model.h.
+struct CodedTextures {
+  std::vector<CodedLevel> levels;  // as Billboards::levels
+  int atlas_width_px = 0, atlas_height_px = 0;
+  std::vector<glm::u8vec4> atlas_rgba;
+  std::vector<std::uint8_t> atlas_bc3;
+};
+
+// Vector quantisation of every level's 4x4 blocks, colour and alpha apart (Linz et al. 2006, section 4).
+CodedTextures compress_billboards(const Billboards& billboards, const CompressOptions& options,
+                                  Progress& progress);
+
+void write(BinaryWriter& writer, const CodedTextures& textures);
+CodedTextures read_coded_textures(BinaryReader& reader);
+
+}  // namespace bosk

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/base/binary.h"
+#include "core/base/options.h"
+#include "core/base/progress.h"
+#include "core/matte/matte.h"
+#include "core/opacity/sparse_grid.h"
+#include "core/photo/photo.h"
+
+namespace bosk {
+
+struct OpacityOptions {
+  int finest_level = 0;  // 0: chosen from the photos' pixel footprint; else 4 to 9
+  int passes = 2;        // of the solver over all rays at the finest level
+  int subsets = 8;       // interleaved pixels per pass
+};
+Options describe(OpacityOptions& options);
+
+// Where the tree is and how opaque: the cube around the crown, its cells at the finest level that may
+// hold something, and each cell's extinction.
+struct OpacityTree {
+  glm::dvec3 origin{0.0};  // lower corner of the cube, world
+  double size_m = 1.0;     // edge of the cube
+  SparseGrid grid;         // cells at the finest level
+  // Extinction at the centre of each cell, per cell edge: light that crosses one edge's length of
+  // medium with value t keeps exp(-t). Between centres it is trilinear, and zero in absent cells.
+  std::vector<float> extinction;
+
+  int level() const { return grid.level(); }
+  double cell_m() const { return size_m / grid.side(); }
+};
+
+// The state after an iteration, for whoever watches. Valid during the call only.
+struct OpacityPreview {
+  const OpacityTree& tree;
+  int iteration = 0;          // from 1, over all levels
+  double mean_error = 0.0;    // mean |alpha - matte| over the rays of the last pass
+};
+using OpacityWatcher = std::function<void(const OpacityPreview&)>;
+
+// Finds the crown's box from the mattes, carves it by all mattes, and solves for extinction by
+// multiplicative least-squares EM, coarse to fine. Throws Error when fewer than 2 photos have a matte,
+// a matte is empty everywhere, or the photos' views have no volume in common (names the photos).
+OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes, const OpacityOptions& options,
+                             Progress& progress, const OpacityWatcher& watcher = {});
+
+void write(BinaryWriter& writer, const OpacityTree& tree);
+OpacityTree read_opacity_tree(BinaryReader& reader);
+
+}  // namespace bosk

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace bosk {
+
+// A set of cells of a cubic grid of 2^level cells a side, each cell with a number 0, 1, ... in a fixed
+// order (4x4x4 bricks row by row, cells of a brick row by row). Looking a cell up costs one 16-byte
+// load and a population count. Memory: 16 bytes per brick of the full grid, (2^level / 4)^3 bricks.
+class SparseGrid {
+ public:
+  static constexpr std::int32_t kAbsent = -1;
+
+  SparseGrid() = default;
+  // `cells` may be in any order and repeat. Level 2 to 10.
+  SparseGrid(int level, const std::vector<glm::ivec3>& cells);
+
+  int level() const { return level_; }
+  int side() const { return 1 << level_; }
+  std::size_t size() const { return cells_.size(); }
+  // Cells in the order of their numbers.
+  const std::vector<glm::u16vec3>& cells() const { return cells_; }
+
+  // The cell's number, or kAbsent; also outside the grid.
+  std::int32_t find(int x, int y, int z) const {
+    const auto limit = static_cast<unsigned>(side());
+    if (unsigned(x) >= limit || unsigned(y) >= limit || unsigned(z) >= limit) return kAbsent;
+    const Brick& brick = bricks_[brick_index(x, y, z)];
+    const std::uint64_t bit = std::uint64_t(1) << bit_index(x, y, z);
+    if ((brick.occupied & bit) == 0) return kAbsent;
+    return std::int32_t(brick.first) + __builtin_popcountll(brick.occupied & (bit - 1));
+  }
+  // Whether any cell of the 4x4x4 brick that holds (x, y, z) is in the set. Must be inside the grid.
+  bool brick_occupied(int x, int y, int z) const {
+    return bricks_[brick_index(x, y, z)].occupied != 0;
+  }
+
+ private:
+  struct Brick {
+    std::uint64_t occupied = 0;
+    std::uint32_t first = 0;
+    std::uint32_t unused = 0;
+  };
+  std::size_t brick_index(int x, int y, int z) const {
+    const int shift = level_ - 2;
+    return (((std::size_t(z) >> 2) << shift | (std::size_t(y) >> 2)) << shift) |
+           (std::size_t(x) >> 2);
+  }
+  static int bit_index(int x, int y, int z) { return (z & 3) << 4 | (y & 3) << 2 | (x & 3); }
+
+  int level_ = 2;
+  std::vector<Brick> bricks_;
+  std::vector<glm::u16vec3> cells_;
+};
+
+}  // namespace bosk

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/base/binary.h"
+#include "core/base/options.h"
+#include "core/base/progress.h"
+#include "core/matte/matte.h"
+#include "core/opacity/opacity.h"
+#include "core/photo/photo.h"
+
+namespace bosk {
+
+struct RadianceOptions {
+  int degree = 1;    // of the spherical harmonics of colour: 0, 1 or 2
+  int epochs = 6;    // passes over all rays at the finest level
+};
+Options describe(RadianceOptions& options);
+
+// The fine sparse volume: extinction and view-dependent colour at the centre of each cell, trilinear
+// between centres.
+struct RadianceVolume {
+  glm::dvec3 origin{0.0};
+  double size_m = 1.0;
+  SparseGrid grid;
+  int degree = 1;
+  std::vector<float> extinction;  // per cell edge, as OpacityTree's
+  // Straight sRGB-encoded colour as spherical harmonics of the direction from the eye to the cell:
+  // [cell][coefficient][r, g, b], (degree + 1)^2 coefficients.
+  std::vector<float> colour;
+
+  int coefficients() const { return (degree + 1) * (degree + 1); }
+  double cell_m() const { return size_m / grid.side(); }
+};
+
+// The state after an epoch, for whoever watches. Valid during the call only.
+struct RadiancePreview {
+  const RadianceVolume& volume;
+  int epoch = 0;
+  double psnr_db = 0.0;  // of the rays of the epoch, premultiplied colour and alpha
+};
+using RadianceWatcher = std::function<void(const RadiancePreview&)>;
+
+// Refines opacity and colour together so that the volume, composited along each pixel's ray, gives the
+// matted photos. Throws Error when photos carry no pixels.
+RadianceVolume refine_radiance(const Mattes& mattes, const Photos& photos, const OpacityTree& opacity,
+                               const RadianceOptions& options, Progress& progress,
+                               const RadianceWatcher& watcher = {});
+
+void write(BinaryWriter& writer, const RadianceVolume& volume);
+RadianceVolume read_radiance_volume(BinaryReader& reader);
+
+}  // namespace bosk

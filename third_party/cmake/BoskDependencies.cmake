@@ -1,0 +1,25 @@
+# Every dependency, found as Debian packages it; why each was chosen stands in third_party/dependencies.md.
+
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+find_package(OpenImageIO REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(GTest REQUIRED)
+include(GoogleTest)
+if(BOSK_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+
+find_path(SQUISH_INCLUDE_DIR squish.h REQUIRED)
+find_library(SQUISH_LIBRARY squish REQUIRED)
+add_library(squish::squish UNKNOWN IMPORTED)
+set_target_properties(squish::squish PROPERTIES IMPORTED_LOCATION ${SQUISH_LIBRARY}
+                                                INTERFACE_INCLUDE_DIRECTORIES ${SQUISH_INCLUDE_DIR})
