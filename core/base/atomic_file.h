@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace bosk {
+
+// Puts `bytes` at `path` so that a reader, a crash or a full disk never sees half a file: written
+// beside the target, synced, renamed over it, folder synced. On Error the old file is untouched and
+// nothing is left behind. A link is followed; anything but a regular file is refused.
+// Full disk or quota: Error of kind resource; missing or unwritable folder: bad_input.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+// The whole file. Error when it is missing, unreadable, no regular file (a FIFO never blocks), or
+// larger than `max_bytes`.
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
+
+}  // namespace bosk

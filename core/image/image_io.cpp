@@ -1,0 +1,93 @@
+#include "core/image/image_io.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/atomic_file.h"
+#include "core/base/system_error.h"
+
+namespace bosk {
+namespace {
+
+// Encodes into memory, so that only whole, checked files reach the disk.
+std::vector<unsigned char> png_bytes(const void* pixels, int width, int height, int channels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput sink(bytes);
+  auto output = OIIO::ImageOutput::create("png", &sink);
+  if (!output) throw Error("PNG cannot be written: OpenImageIO has no PNG support: install it");
+  output->threads(1);
+  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // else OpenImageIO would divide colour by alpha
+  if (!output->open("image.png", spec) || !output->write_image(OIIO::TypeDesc::UINT8, pixels) ||
+      !output->close()) {
+    throw Error("PNG encoding failed: " + output->geterror(), ErrorKind::resource);
+  }
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& path, const void* pixels, int width, int height,
+               int channels) {
+  if (width < 1 || height < 1) {
+    throw Error(printable(path.string()) + ": an image without pixels cannot be written");
+  }
+  const std::vector<unsigned char> bytes = png_bytes(pixels, width, height, channels);
+  write_file_atomically(path, std::as_bytes(std::span(bytes)));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image<glm::u8vec4>& rgba) {
+  write_png(path, rgba.data(), rgba.width(), rgba.height(), 4);
+}
+
+void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& rgb) {
+  write_png(path, rgb.data(), rgb.width(), rgb.height(), 3);
+}
+
+void write_png(const std::filesystem::path& path, const Image<std::uint8_t>& grey) {
+  write_png(path, grey.data(), grey.width(), grey.height(), 1);
+}
+
+std::uint8_t byte_from_unit(float value) {
+  if (!(value > 0.0f)) return 0;
+  return static_cast<std::uint8_t>(std::min(value, 1.0f) * 255.0f + 0.5f);
+}
+
+Image<glm::u8vec4> rgba8_from_straight(const Image<glm::vec4>& straight) {
+  Image<glm::u8vec4> bytes(straight.width(), straight.height());
+  std::transform(straight.pixels().begin(), straight.pixels().end(), bytes.pixels().begin(),
+                 [](const glm::vec4& v) {
+                   return glm::u8vec4(byte_from_unit(v.r), byte_from_unit(v.g), byte_from_unit(v.b),
+                                      byte_from_unit(v.a));
+                 });
+  return bytes;
+}
+
+Image<glm::u8vec3> rgb8_from_srgb(const Image<glm::vec3>& srgb) {
+  Image<glm::u8vec3> bytes(srgb.width(), srgb.height());
+  std::transform(
+      srgb.pixels().begin(), srgb.pixels().end(), bytes.pixels().begin(), [](const glm::vec3& v) {
+        return glm::u8vec3(byte_from_unit(v.r), byte_from_unit(v.g), byte_from_unit(v.b));
+      });
+  return bytes;
+}
+
+Image<std::uint8_t> grey8_from_unit(const Image<float>& grey) {
+  Image<std::uint8_t> bytes(grey.width(), grey.height());
+  std::transform(grey.pixels().begin(), grey.pixels().end(), bytes.pixels().begin(),
+                 byte_from_unit);
+  return bytes;
+}
+
+Image<glm::vec3> over_colour(const Image<glm::vec4>& straight, const glm::vec3& background_srgb) {
+  Image<glm::vec3> shown(straight.width(), straight.height());
+  std::transform(straight.pixels().begin(), straight.pixels().end(), shown.pixels().begin(),
+                 [&](const glm::vec4& v) { return glm::mix(background_srgb, glm::vec3(v), v.a); });
+  return shown;
+}
+
+}  // namespace bosk
