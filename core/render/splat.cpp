@@ -1,0 +1,181 @@
+#include "core/render/splat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bosk {
+namespace {
+
+constexpr int kMostRows = 64;  // a texture's rows after splitting them, see split_rows
+
+struct PixelRange {
+  int first = 0, last = -1;
+};
+
+// Pixels of 0 .. size - 1 that an interval of half width `half` around `centre` touches.
+PixelRange pixels_touched(float centre, float half, int size) {
+  const float low = std::max(centre - half - 0.5f, -1.0f);
+  const float high = std::min(centre + half + 0.5f, float(size));
+  return {std::max(0, int(std::ceil(low))), std::min(size - 1, int(std::floor(high)))};
+}
+
+Float4 splat4(float value) { return Float4{value, value, value, value}; }
+
+Float4 clamp4(Float4 x, float low, float high) {
+  const Float4 l = splat4(low), h = splat4(high);
+  x = x < l ? l : x;
+  return x > h ? h : x;
+}
+
+// Interpolation between `count` samples at 0.5, 1.5 ... on [0, count] is a sum of hats, the outer
+// two flat towards the edge. cumulative() holds the integrals of four hats from 0 to a position.
+class Hats {
+ public:
+  Hats(int group, int count) : limit_(float(count)) {
+    const float first = float(4 * group) + 0.5f;
+    centre_ = Float4{first, first + 1.0f, first + 2.0f, first + 3.0f};
+    rise_ = fall_ = splat4(0.5f);
+    if (group == 0) rise_[0] = 0.0f;
+    if (4 * group + 4 == count) fall_[3] = 0.0f;
+  }
+  Float4 cumulative(float position) const {
+    const float inside = std::clamp(position, 0.0f, limit_);
+    const Float4 t = clamp4(splat4(inside) - centre_, -1.0f, 1.0f);
+    const Float4 zero{};
+    const Float4 after = t > zero ? t : zero, before = t < zero ? t : zero;
+    return 0.5f + t + rise_ * before * before - fall_ * after * after;
+  }
+
+ private:
+  float limit_;
+  Float4 centre_, rise_, fall_;
+};
+
+// The splat with texture and axes exchanged where needed, so that the texture's rows run along x
+// rather than y, and its map split into the two passes:
+//   x = centre.x + column_px * (u - texels / 2) + shift_px * (v - rows / 2)
+//   y = centre.y + slope * (x - centre.x) + row_px * (v - rows / 2)
+struct Passes {
+  glm::vec2 centre{0.0f};
+  float column_px = 1, shift_px = 0, slope = 0, row_px = 1;
+  int texels = 4, rows = 4;
+  float half_width = 0;
+  bool degenerate = false;
+};
+
+Passes passes_of(const Splat& splat, int texels, bool exchanged, const Tile& tile) {
+  glm::vec2 across = splat.across_px, down = splat.down_px;
+  if (exchanged) std::swap(across, down);
+  Passes passes;
+  passes.centre = splat.centre_px - glm::vec2(float(tile.left_px), float(tile.top_px));
+  passes.texels = texels;
+  // Split the rows until one shifts against the next by less than half a pixel
+  passes.rows = texels;
+  float shift_px = 2.0f * down.x / float(texels);
+  while (std::abs(shift_px) > 0.5f && passes.rows < kMostRows) {
+    passes.rows *= 2;
+    shift_px *= 0.5f;
+  }
+  passes.column_px = 2.0f * across.x / float(texels);
+  passes.shift_px = shift_px;
+  passes.slope = across.y / across.x;
+  passes.row_px = 2.0f * (down.y - down.x * passes.slope) / float(passes.rows);
+  passes.half_width = std::abs(across.x) + std::abs(down.x);
+  passes.degenerate = !(std::abs(across.x) > 1e-12f) || !std::isfinite(passes.row_px);
+  return passes;
+}
+
+struct Texture {
+  Float4 texels[kMostRows * kMostTexels];  // row by row
+};
+
+// Rows interpolated to a power of two times as many; keeps the interpolated texture and its
+// integral.
+void split_rows(const Float4* texture, int texels, int rows, bool exchanged, Texture& split) {
+  const int step_across = exchanged ? texels : 1, step_down = exchanged ? 1 : texels;
+  for (int row = 0; row < rows; ++row) {
+    const float v = (float(row) + 0.5f) * float(texels) / float(rows) - 0.5f;
+    const float inside = std::clamp(v, 0.0f, float(texels - 1));
+    const int above = std::min(int(inside), texels - 2);
+    const float part = inside - float(above);
+    for (int i = 0; i < texels; ++i) {
+      const Float4 a = texture[above * step_down + i * step_across];
+      const Float4 b = texture[(above + 1) * step_down + i * step_across];
+      split.texels[row * texels + i] = a + part * (b - a);
+    }
+  }
+}
+
+// First pass: for one column of pixels, the mean of every texture row over the column's width.
+template <int kGroups>
+void filter_along_x(const Passes& passes, const Hats* hats, const Float4* texture, int x,
+                    Float4* means) {
+  const float texel_per_px = 1.0f / passes.column_px;
+  const float middle = 0.5f * float(passes.texels);
+  for (int row = 0; row < passes.rows; ++row) {
+    const float shift = passes.shift_px * (float(row) + 0.5f - 0.5f * float(passes.rows));
+    const float u = (float(x) - passes.centre.x - shift) * texel_per_px + middle;
+    Float4 mean{};
+    for (int group = 0; group < kGroups; ++group) {
+      const Float4 weight = passes.column_px * (hats[group].cumulative(u + 0.5f * texel_per_px) -
+                                                hats[group].cumulative(u - 0.5f * texel_per_px));
+      const Float4* texel = texture + row * 4 * kGroups + 4 * group;
+      for (int i = 0; i < 4; ++i) mean += weight[i] * texel[i];
+    }
+    means[row] = mean;
+  }
+}
+
+// Second pass: down the column, each pixel's mean composited over it.
+void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means, int x,
+                    Tile& tile) {
+  const float row_per_px = 1.0f / passes.row_px;
+  const float middle = 0.5f * float(passes.rows);
+  const float centre = passes.centre.y + passes.slope * (float(x) - passes.centre.x);
+  const float half = std::abs(passes.row_px) * middle;
+  const PixelRange range = pixels_touched(centre, half, tile.height_px);
+  for (int y = range.first; y <= range.last; ++y) {
+    const float v = (float(y) - centre) * row_per_px + middle;
+    Float4 mean{};
+    for (int group = 0; group < passes.rows / 4; ++group) {
+      const Float4 weight = passes.row_px * (hats[group].cumulative(v + 0.5f * row_per_px) -
+                                             hats[group].cumulative(v - 0.5f * row_per_px));
+      for (int i = 0; i < 4; ++i) mean += weight[i] * means[4 * group + i];
+    }
+    Float4& pixel = tile.pixels[y * kTile_px + x];
+    pixel = mean + (1.0f - mean[3]) * pixel;
+  }
+}
+
+template <int kGroups>
+void composite(const Passes& passes, const Float4* texture, Tile& tile) {
+  Hats column_hats[2] = {Hats(0, passes.texels), Hats(1, passes.texels)};
+  std::vector<Hats> row_hats;
+  for (int group = 0; group < passes.rows / 4; ++group) row_hats.emplace_back(group, passes.rows);
+  const PixelRange range = pixels_touched(passes.centre.x, passes.half_width, tile.width_px);
+  Float4 means[kMostRows];
+  for (int x = range.first; x <= range.last; ++x) {
+    filter_along_x<kGroups>(passes, column_hats, texture, x, means);
+    filter_along_y(passes, row_hats.data(), means, x, tile);
+  }
+}
+
+}  // namespace
+
+void composite_splat(const Splat& splat, const Float4* texture, int texels, Tile& tile) {
+  const bool exchanged = std::abs(splat.across_px.x) < std::abs(splat.down_px.x);
+  const Passes passes = passes_of(splat, texels, exchanged, tile);
+  if (passes.degenerate) return;
+  Texture split;
+  if (exchanged || passes.rows != texels) {
+    split_rows(texture, texels, passes.rows, exchanged, split);
+    texture = split.texels;
+  }
+  if (texels == 4)
+    composite<1>(passes, texture, tile);
+  else
+    composite<2>(passes, texture, tile);
+}
+
+}  // namespace bosk
