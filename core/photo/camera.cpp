@@ -55,10 +55,15 @@ bool positive_up_to(double end, const std::array<double, N>& coefficients) {
   return stays_positive(bernstein, 40);
 }
 
+// What the lens makes of an undistorted value: a normalised image point, or an angle from the axis.
+template <class T, class Slope>
 struct Bent {
-  dvec2 point{0.0};       // distorted normalised image point
-  dmat2 derivative{1.0};  // of it by the undistorted one
+  bool inside = false;  // of the model's domain; else the rest says nothing
+  T value{};
+  Slope slope{};  // derivative of `value` by the undistorted one
 };
+using BentPoint = Bent<dvec2, dmat2>;
+using BentAngle = Bent<double, double>;
 
 struct Radial {
   std::array<double, 4> over, under;  // coefficients of r^0, r^2, r^4, r^6
@@ -82,9 +87,9 @@ bool before_fold(const Lens& lens, double radius_squared) {
 
 // OpenCV's model with rational radial and tangential part: calib3d, "Camera Calibration and 3D
 // Reconstruction", without its thin prism and tilt. None beyond the fold.
-std::optional<Bent> bend_opencv(const Lens& lens, const dvec2& point) {
+BentPoint bend_opencv(const Lens& lens, const dvec2& point) {
   const double r2 = glm::dot(point, point);
-  if (!(r2 < 1e16) || !before_fold(lens, r2)) return std::nullopt;
+  if (!(r2 < 1e16) || !before_fold(lens, r2)) return {};
   const auto [over_k, under_k] = radial_part(lens);
   const double p1 = lens.distortion[2], p2 = lens.distortion[3], x = point.x, y = point.y;
   const double over = 1.0 + r2 * (over_k[1] + r2 * (over_k[2] + r2 * over_k[3]));
@@ -99,25 +104,21 @@ std::optional<Bent> bend_opencv(const Lens& lens, const dvec2& point) {
   const dmat2 derivative(factor + 2.0 * slope * x * x + 2.0 * p1 * y + 6.0 * p2 * x, across, across,
                          factor + 2.0 * slope * y * y + 6.0 * p1 * y + 2.0 * p2 * x);
   // The tangential part can fold the image too, far from the axis.
-  if (!(glm::determinant(derivative) > 0.0)) return std::nullopt;
-  return Bent{factor * point + shift, derivative};
+  if (!(glm::determinant(derivative) > 0.0)) return {};
+  return {true, factor * point + shift, derivative};
 }
-
-struct BentAngle {
-  double angle = 0.0, derivative = 1.0;
-};
 
 // OpenCV's fisheye model: the distance from the image centre as a polynomial of the angle from the
 // axis.
-std::optional<BentAngle> bend_fisheye(const Lens& lens, double angle) {
+BentAngle bend_fisheye(const Lens& lens, double angle) {
   const auto& k = lens.distortion;
   const double a2 = angle * angle;
   if (!positive_up_to(a2, std::array{1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}))
-    return std::nullopt;
+    return {};
   const double factor = 1.0 + a2 * (k[0] + a2 * (k[1] + a2 * (k[2] + a2 * k[3])));
   const double derivative =
       1.0 + a2 * (3.0 * k[0] + a2 * (5.0 * k[1] + a2 * (7.0 * k[2] + a2 * 9.0 * k[3])));
-  return BentAngle{angle * factor, derivative};
+  return {true, angle * factor, derivative};
 }
 
 bool is_straight(const Lens& lens) {
@@ -131,38 +132,40 @@ std::optional<dvec2> bent_from_camera(const Lens& lens, const dvec3& point) {
   const dvec2 straight = dvec2(point) / point.z;
   if (is_straight(lens)) return straight;
   if (lens.model == LensModel::opencv) {
-    const std::optional<Bent> bent = bend_opencv(lens, straight);
-    return bent ? std::optional(bent->point) : std::nullopt;
+    const BentPoint bent = bend_opencv(lens, straight);
+    return bent.inside ? std::optional(bent.value) : std::nullopt;
   }
   const double radius = glm::length(dvec2(point));
-  const std::optional<BentAngle> bent = bend_fisheye(lens, std::atan2(radius, point.z));
-  if (!bent) return std::nullopt;
-  return radius > 0.0 ? bent->angle / radius * dvec2(point) : dvec2(0.0);
+  const BentAngle bent = bend_fisheye(lens, std::atan2(radius, point.z));
+  if (!bent.inside) return std::nullopt;
+  return radius > 0.0 ? bent.value / radius * dvec2(point) : dvec2(0.0);
 }
 
 double size_of(double value) { return std::abs(value); }
 double size_of(const dvec2& value) { return glm::length(value); }
 
-// Solves bend(x) = target by Newton's method from `start`. A step that leaves the model's domain or
+dvec2 newton_step(const dmat2& slope, const dvec2& miss) { return glm::inverse(slope) * miss; }
+double newton_step(double slope, double miss) { return miss / slope; }
+
+// Solves bend(x) = target by Newton's method from `x`. A step that leaves the model's domain or
 // doesn't come nearer is halved, so a radius that grows is always inverted; a target beyond the
-// fold ends with none. bend gives optional {value, derivative}.
-template <class T, class Bend, class Step>
-std::optional<T> unbend(const T& target, T start, double tolerance, const Bend& bend,
-                        const Step& newton_step) {
-  T x = start;
+// fold ends with none.
+template <class T, class Bend>
+std::optional<T> unbend(const T& target, T x, double tolerance, const Bend& bend) {
   auto here = bend(x);
-  for (int i = 0; i < 60 && !here; ++i) here = bend(x *= 0.5);
-  for (int i = 0; here && i < 100; ++i) {
-    const T miss = target - here->first;
+  for (int i = 0; i < 60 && !here.inside; ++i) here = bend(x = 0.5 * x);
+  for (int i = 0; i < 100 && here.inside; ++i) {
+    const T miss = target - here.value;
     if (size_of(miss) <= tolerance) return x;
-    T step = newton_step(here->second, miss);
+    T step = newton_step(here.slope, miss);
+    const auto nearer = [&](const auto& there) {
+      return there.inside && size_of(target - there.value) < size_of(miss);
+    };
     auto there = bend(x + step);
-    for (int halving = 0; halving < 40; ++halving) {
-      if (there && size_of(target - there->first) < size_of(miss)) break;
-      there = bend(x + (step *= 0.5));
-    }
-    if (!there || !(size_of(target - there->first) < size_of(miss))) return std::nullopt;
-    x += step;
+    for (int halving = 0; halving < 40 && !nearer(there); ++halving)
+      there = bend(x + (step = 0.5 * step));
+    if (!nearer(there)) return std::nullopt;
+    x = x + step;
     here = there;
   }
   return std::nullopt;
@@ -170,15 +173,8 @@ std::optional<T> unbend(const T& target, T start, double tolerance, const Bend& 
 
 std::optional<dvec3> camera_from_bent_opencv(const Lens& lens, const dvec2& bent,
                                              double tolerance) {
-  const auto bend = [&lens](const dvec2& x) -> std::optional<std::pair<dvec2, dmat2>> {
-    const std::optional<Bent> result = bend_opencv(lens, x);
-    if (!result) return std::nullopt;
-    return std::pair(result->point, result->derivative);
-  };
-  const auto step = [](const dmat2& slope, const dvec2& miss) {
-    return glm::inverse(slope) * miss;
-  };
-  const std::optional<dvec2> straight = unbend(bent, bent, tolerance, bend, step);
+  const auto bend = [&lens](const dvec2& x) { return bend_opencv(lens, x); };
+  const std::optional<dvec2> straight = unbend(bent, bent, tolerance, bend);
   if (!straight) return std::nullopt;
   return glm::normalize(dvec3(*straight, 1.0));
 }
@@ -187,14 +183,8 @@ std::optional<dvec3> camera_from_bent_fisheye(const Lens& lens, const dvec2& ben
                                               double tolerance) {
   const double radius = glm::length(bent);
   if (radius == 0.0) return dvec3(0.0, 0.0, 1.0);
-  const auto bend = [&lens](double angle) -> std::optional<std::pair<double, double>> {
-    const std::optional<BentAngle> result = bend_fisheye(lens, angle);
-    if (!result) return std::nullopt;
-    return std::pair(result->angle, result->derivative);
-  };
-  const auto step = [](double slope, double miss) { return miss / slope; };
-  const std::optional<double> angle =
-      unbend(radius, std::min(radius, kHalfPi), tolerance, bend, step);
+  const auto bend = [&lens](double angle) { return bend_fisheye(lens, angle); };
+  const std::optional<double> angle = unbend(radius, std::min(radius, kHalfPi), tolerance, bend);
   if (!angle || !(*angle < kHalfPi)) return std::nullopt;  // behind the camera
   return dvec3(std::sin(*angle) / radius * bent, std::cos(*angle));
 }

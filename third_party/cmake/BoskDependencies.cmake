@@ -3,7 +3,7 @@
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 find_package(TBB REQUIRED)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d)
 find_package(OpenImageIO REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

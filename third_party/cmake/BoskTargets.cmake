@@ -2,6 +2,9 @@
 
 add_library(bosk_flags INTERFACE)
 target_compile_options(bosk_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(bosk_flags INTERFACE -Wno-restrict) # false alarms on "text" + std::string, GCC bug 105651
+endif()
 target_include_directories(bosk_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_options(bosk_flags INTERFACE -march=x86-64-v2)
