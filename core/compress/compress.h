@@ -15,17 +15,22 @@ namespace bosk {
 struct CompressOptions {
   int colour_codewords = 1024;  // per level, 1 to 4096
   int alpha_codewords = 512;    // per level, 1 to 4096
+  std::string colour_space =
+      "lab_log_chroma";  // where colours are compared: lab, lab_log_chroma, srgb
+  std::string codeword_rule =
+      "centroid";                // what stands for similar blocks: centroid, closest_block
+  int training_blocks = 131072;  // codewords are found on at most so many blocks of a level
 };
 Options describe(CompressOptions& options);
 
 inline constexpr std::uint16_t kPrunedIndex = 0xffff;
 
 // Textures of one billboard level as indices, in the order [cell][view][block row][block column].
-// A block of the texture whose alpha is 0 everywhere has alpha index kPrunedIndex and colour index 0.
-// Codewords are numbered so that near numbers look alike: indices of neighbours then pack well.
+// A block of the texture whose alpha is 0 everywhere has alpha index kPrunedIndex and colour index
+// 0. Codewords are numbered so that near numbers look alike: indices of neighbours then pack well.
 struct CodedLevel {
   std::vector<std::uint16_t> alpha_indices, colour_indices;
-  std::uint32_t first_alpha_tile = 0, alpha_codewords = 0;    // into the atlas
+  std::uint32_t first_alpha_tile = 0, alpha_codewords = 0;  // into the atlas
   std::uint32_t first_colour_tile = 0, colour_codewords = 0;
 };
 
@@ -37,7 +42,8 @@ struct CodedTextures {
   std::vector<std::uint8_t> atlas_bc3;
 };
 
-// Vector quantisation of every level's 4x4 blocks, colour and alpha apart (Linz et al. 2006, section 4).
+// Vector quantisation of every level's 4x4 blocks, colour and alpha apart (Linz et al. 2006,
+// section 4).
 CodedTextures compress_billboards(const Billboards& billboards, const CompressOptions& options,
                                   Progress& progress);
 
