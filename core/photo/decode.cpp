@@ -75,6 +75,17 @@ DecodedPhoto decode_photo(const fs::path& path, const DecodeLimits& limits,
   }
 }
 
+std::optional<glm::ivec2> photo_size(const fs::path& path, const DecodeLimits& limits,
+                                     const Progress& progress) {
+  try {
+    const DecodedPhoto photo = decode_photo(path, limits, progress);
+    return glm::ivec2(photo.width_px, photo.height_px);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input) throw;
+    return std::nullopt;
+  }
+}
+
 Image<glm::vec4> straight_of(const DecodedPhoto& photo) {
   Image<glm::vec4> straight(photo.width_px, photo.height_px);
   visit_pixels(photo, [&](const auto& source) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/binary.h"
 #include "core/base/child_process.h"
 #include "core/base/progress.h"
 #include "core/image/image.h"
@@ -28,6 +29,9 @@ struct PhotoMetadata {
   int orientation = 1;  // EXIF, 1 to 8: how to turn the pixels for display; they come unturned
   std::string make, model;
 };
+
+void write(BinaryWriter& writer, const PhotoMetadata& metadata);
+PhotoMetadata read_photo_metadata(BinaryReader& reader);  // numbers and texts come out plausible
 
 enum class PixelKind : std::uint8_t { u8_srgb, u16_srgb, f32_linear };
 
@@ -50,6 +54,11 @@ struct DecodedPhoto {
 // naming the file and the reason, for everything else; Cancelled.
 DecodedPhoto decode_photo(const std::filesystem::path& path, const DecodeLimits& limits,
                           const Progress& progress);
+
+// Its width and height; none when decode_photo would refuse it. Decodes the whole photo: for the
+// few camera files that leave the size out.
+std::optional<glm::ivec2> photo_size(const std::filesystem::path& path, const DecodeLimits& limits,
+                                     const Progress& progress);
 
 // Colour 0 to 1, sRGB-encoded; NaN is 0, and linear light beyond 0 to 1 is clamped.
 Image<glm::vec3> srgb_of(const DecodedPhoto& photo);

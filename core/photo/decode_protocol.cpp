@@ -28,31 +28,6 @@ std::string read_text(BinaryReader& reader) {
   return printable(reader.text().substr(0, kMaxTextBytes));
 }
 
-void write(BinaryWriter& writer, const PhotoMetadata& metadata) {
-  write(writer, metadata.focal_mm);
-  write(writer, metadata.focal_35mm_equivalent_mm);
-  write(writer, metadata.exposure_s);
-  write(writer, metadata.iso);
-  write(writer, metadata.f_number);
-  writer.value(metadata.orientation);
-  writer.text(metadata.make);
-  writer.text(metadata.model);
-}
-
-PhotoMetadata read_metadata(BinaryReader& reader) {
-  PhotoMetadata metadata;
-  metadata.focal_mm = read_positive(reader);
-  metadata.focal_35mm_equivalent_mm = read_positive(reader);
-  metadata.exposure_s = read_positive(reader);
-  metadata.iso = read_positive(reader);
-  metadata.f_number = read_positive(reader);
-  metadata.orientation = reader.value<int>();
-  if (metadata.orientation < 1 || metadata.orientation > 8) metadata.orientation = 1;
-  metadata.make = read_text(reader);
-  metadata.model = read_text(reader);
-  return metadata;
-}
-
 // Not a Number and infinity become 0; gives how many there were.
 std::size_t clean(std::vector<std::byte>& pixels) {
   std::size_t cleaned = 0;
@@ -75,7 +50,7 @@ DecodedPhoto read_header(std::span<const std::byte> header) {
   photo.height_px = reader.value<int>();
   photo.channels = reader.value<int>();
   photo.kind = reader.value<PixelKind>();
-  photo.metadata = read_metadata(reader);
+  photo.metadata = read_photo_metadata(reader);
   const auto note_count = reader.value<std::uint32_t>();
   if (note_count > kMaxNotes) throw implausible();
   for (std::uint32_t i = 0; i < note_count; ++i) photo.notes.push_back(read_text(reader));
@@ -89,6 +64,31 @@ bool plausible(const DecodedPhoto& photo, const DecodeLimits& limits) {
 }
 
 }  // namespace
+
+void write(BinaryWriter& writer, const PhotoMetadata& metadata) {
+  write(writer, metadata.focal_mm);
+  write(writer, metadata.focal_35mm_equivalent_mm);
+  write(writer, metadata.exposure_s);
+  write(writer, metadata.iso);
+  write(writer, metadata.f_number);
+  writer.value(metadata.orientation);
+  writer.text(metadata.make);
+  writer.text(metadata.model);
+}
+
+PhotoMetadata read_photo_metadata(BinaryReader& reader) {
+  PhotoMetadata metadata;
+  metadata.focal_mm = read_positive(reader);
+  metadata.focal_35mm_equivalent_mm = read_positive(reader);
+  metadata.exposure_s = read_positive(reader);
+  metadata.iso = read_positive(reader);
+  metadata.f_number = read_positive(reader);
+  metadata.orientation = reader.value<int>();
+  if (metadata.orientation < 1 || metadata.orientation > 8) metadata.orientation = 1;
+  metadata.make = read_text(reader);
+  metadata.model = read_text(reader);
+  return metadata;
+}
 
 std::size_t bytes_per_value(PixelKind kind) {
   if (kind == PixelKind::u8_srgb) return 1;
