@@ -70,7 +70,7 @@ class Projector {
     const glm::vec2 half = half_extent_px(splat);
     const glm::vec2 low = splat.centre_px - half, high = splat.centre_px + half;
     return high.x > -0.5f && low.x < float(camera_.lens.width_px) - 0.5f && high.y > -0.5f &&
-           low.y < float(camera_.lens.height_px) - 0.5f && half.x < 1e7f && half.y < 1e7f;
+           low.y < float(camera_.lens.height_px) - 0.5f && half.x < 1e5f && half.y < 1e5f;
   }
 
   const TreeModel& model_;

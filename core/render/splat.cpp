@@ -23,28 +23,27 @@ PixelRange pixels_touched(float centre, float half, int size) {
 Float4 splat4(float value) { return Float4{value, value, value, value}; }
 
 Float4 clamp4(Float4 x, float low, float high) {
-  const Float4 l = splat4(low), h = splat4(high);
-  x = x < l ? l : x;
-  return x > h ? h : x;
+  x = x < low ? splat4(low) : x;
+  return x > high ? splat4(high) : x;
 }
 
 // Interpolation between `count` samples at 0.5, 1.5 ... on [0, count] is a sum of hats, the outer
 // two flat towards the edge. cumulative() holds the integrals of four hats from 0 to a position.
 class Hats {
  public:
+  Hats() = default;
   Hats(int group, int count) : limit_(float(count)) {
     const float first = float(4 * group) + 0.5f;
     centre_ = Float4{first, first + 1.0f, first + 2.0f, first + 3.0f};
-    rise_ = fall_ = splat4(0.5f);
+    rise_ = splat4(0.5f);
+    fall_ = splat4(-0.5f);
     if (group == 0) rise_[0] = 0.0f;
     if (4 * group + 4 == count) fall_[3] = 0.0f;
   }
   Float4 cumulative(float position) const {
     const float inside = std::clamp(position, 0.0f, limit_);
     const Float4 t = clamp4(splat4(inside) - centre_, -1.0f, 1.0f);
-    const Float4 zero{};
-    const Float4 after = t > zero ? t : zero, before = t < zero ? t : zero;
-    return 0.5f + t + rise_ * before * before - fall_ * after * after;
+    return 0.5f + t + (t < Float4{} ? rise_ : fall_) * t * t;
   }
 
  private:
@@ -107,25 +106,47 @@ void split_rows(const Float4* texture, int texels, int rows, bool exchanged, Tex
   }
 }
 
-// First pass: for one column of pixels, the mean of every texture row over the column's width.
+// First pass, one column of pixels after the other: the mean of every texture row over the column's
+// width.
 template <int kGroups>
-void filter_along_x(const Passes& passes, const Hats* hats, const Float4* texture, int x,
-                    Float4* means) {
-  const float texel_per_px = 1.0f / passes.column_px;
-  const float middle = 0.5f * float(passes.texels);
-  for (int row = 0; row < passes.rows; ++row) {
-    const float shift = passes.shift_px * (float(row) + 0.5f - 0.5f * float(passes.rows));
-    const float u = (float(x) - passes.centre.x - shift) * texel_per_px + middle;
-    Float4 mean{};
-    for (int group = 0; group < kGroups; ++group) {
-      const Float4 weight = passes.column_px * (hats[group].cumulative(u + 0.5f * texel_per_px) -
-                                                hats[group].cumulative(u - 0.5f * texel_per_px));
-      const Float4* texel = texture + row * 4 * kGroups + 4 * group;
-      for (int i = 0; i < 4; ++i) mean += weight[i] * texel[i];
-    }
-    means[row] = mean;
+class AlongX {
+ public:
+  AlongX(const Passes& passes, const Float4* texture, int first_x)
+      : passes_(passes), texture_(texture), texel_per_px_(1.0f / passes.column_px) {
+    for (int group = 0; group < kGroups; ++group) hats_[group] = Hats(group, passes.texels);
+    for (int row = 0; row < passes.rows; ++row)
+      for (int group = 0; group < kGroups; ++group)
+        before_[row][group] = hats_[group].cumulative(texel_at(float(first_x) - 0.5f, row));
   }
-}
+
+  // For the column after the last one asked for.
+  void means(int x, Float4* means) {
+    for (int row = 0; row < passes_.rows; ++row) {
+      const float right_edge = texel_at(float(x) + 0.5f, row);
+      Float4 mean{};
+      for (int group = 0; group < kGroups; ++group) {
+        const Float4 after = hats_[group].cumulative(right_edge);
+        const Float4 weight = passes_.column_px * (after - before_[row][group]);
+        before_[row][group] = after;
+        const Float4* texel = texture_ + row * 4 * kGroups + 4 * group;
+        for (int i = 0; i < 4; ++i) mean += weight[i] * texel[i];
+      }
+      means[row] = mean;
+    }
+  }
+
+ private:
+  float texel_at(float x, int row) const {
+    const float shift = passes_.shift_px * (float(row) + 0.5f - 0.5f * float(passes_.rows));
+    return (x - passes_.centre.x - shift) * texel_per_px_ + 0.5f * float(passes_.texels);
+  }
+
+  const Passes& passes_;
+  const Float4* texture_;
+  float texel_per_px_;
+  Hats hats_[kGroups];
+  Float4 before_[kMostRows][kGroups];  // cumulative hats at the column's left edge
+};
 
 // Second pass: down the column, each pixel's mean composited over it.
 void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means, int x,
@@ -133,14 +154,19 @@ void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means,
   const float row_per_px = 1.0f / passes.row_px;
   const float middle = 0.5f * float(passes.rows);
   const float centre = passes.centre.y + passes.slope * (float(x) - passes.centre.x);
-  const float half = std::abs(passes.row_px) * middle;
-  const PixelRange range = pixels_touched(centre, half, tile.height_px);
+  const int groups = passes.rows / 4;
+  const PixelRange range = pixels_touched(centre, std::abs(passes.row_px) * middle, tile.height_px);
+  Float4 before[kMostRows / 4];  // cumulative hats at the pixel's upper edge
+  for (int group = 0; group < groups; ++group)
+    before[group] =
+        hats[group].cumulative((float(range.first) - 0.5f - centre) * row_per_px + middle);
   for (int y = range.first; y <= range.last; ++y) {
-    const float v = (float(y) - centre) * row_per_px + middle;
+    const float lower_edge = (float(y) + 0.5f - centre) * row_per_px + middle;
     Float4 mean{};
-    for (int group = 0; group < passes.rows / 4; ++group) {
-      const Float4 weight = passes.row_px * (hats[group].cumulative(v + 0.5f * row_per_px) -
-                                             hats[group].cumulative(v - 0.5f * row_per_px));
+    for (int group = 0; group < groups; ++group) {
+      const Float4 after = hats[group].cumulative(lower_edge);
+      const Float4 weight = passes.row_px * (after - before[group]);
+      before[group] = after;
       for (int i = 0; i < 4; ++i) mean += weight[i] * means[4 * group + i];
     }
     Float4& pixel = tile.pixels[y * kTile_px + x];
@@ -150,14 +176,14 @@ void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means,
 
 template <int kGroups>
 void composite(const Passes& passes, const Float4* texture, Tile& tile) {
-  Hats column_hats[2] = {Hats(0, passes.texels), Hats(1, passes.texels)};
-  std::vector<Hats> row_hats;
-  for (int group = 0; group < passes.rows / 4; ++group) row_hats.emplace_back(group, passes.rows);
+  Hats row_hats[kMostRows / 4];
+  for (int group = 0; group < passes.rows / 4; ++group) row_hats[group] = Hats(group, passes.rows);
   const PixelRange range = pixels_touched(passes.centre.x, passes.half_width, tile.width_px);
+  AlongX<kGroups> along_x(passes, texture, range.first);
   Float4 means[kMostRows];
   for (int x = range.first; x <= range.last; ++x) {
-    filter_along_x<kGroups>(passes, column_hats, texture, x, means);
-    filter_along_y(passes, row_hats.data(), means, x, tile);
+    along_x.means(x, means);
+    filter_along_y(passes, row_hats, means, x, tile);
   }
 }
 
