@@ -26,20 +26,22 @@ struct TreeLevel {
   int texels = 4;         // M: texels along a billboard's edge, 4 or 8
   float side_factor = 1;  // billboard side / cell side
   // Largest angle of a texel at which this level still looks like the finest one, measured when
-  // packed: the level serves cells whose size on screen is at most this many pixels. 0: never chosen.
+  // packed: the level serves cells whose size on screen is at most this many pixels. 0: never
+  // chosen.
   float max_cell_px = 0;
-  std::vector<std::uint32_t> views;  // into TreeModel::view_positions: the directions textures exist for
+  std::vector<std::uint32_t>
+      views;  // into TreeModel::view_positions: the directions textures exist for
   std::vector<std::uint64_t> cells;  // Morton codes (x lowest bit), ascending
-  // [cell][view][block row][block column]; (texels/4)^2 blocks. An alpha index of kPruned draws nothing
-  // and its colour index is 0. Colour and alpha indices count from the ranges below.
+  // [cell][view][block row][block column]; (texels/4)^2 blocks. An alpha index of kPruned draws
+  // nothing and its colour index is 0. Colour and alpha indices count from the ranges below.
   std::vector<std::uint16_t> alpha_indices, colour_indices;
   CodeRange alpha_codes, colour_codes;
 };
 inline constexpr std::uint16_t kPruned = 0xffff;
 
-// Codewords, side by side. Tile t is texels [4 (t % tiles_across), 4 (t / tiles_across)] ...; the tile's
-// rgb is colour codeword t (sRGB-encoded, straight), its a is alpha codeword t. `rgba` is exact;
-// `bc3` is the same compressed for GPUs, one 16-byte block a tile, in the same order.
+// Codewords, side by side. Tile t is texels [4 (t % tiles_across), 4 (t / tiles_across)] ...; the
+// tile's rgb is colour codeword t (sRGB-encoded, straight), its a is alpha codeword t. `rgba` is
+// exact; `bc3` is the same compressed for GPUs, one 16-byte block a tile, in the same order.
 struct CodeAtlas {
   int width_px = 0, height_px = 0;  // multiples of 4, at most 512
   std::vector<glm::u8vec4> rgba;    // row-major
@@ -49,7 +51,7 @@ struct CodeAtlas {
 struct TreeMetadata {
   std::string name, licence, credit, generator;
   std::string units = "m";
-  double height_m = 0;             // of the highest cell above the origin of the world
+  double height_m = 0;  // of the highest cell above the origin of the world
   std::uint32_t photo_count = 0;
 };
 

@@ -1,0 +1,166 @@
+#include "core/package/writer.h"
+
+#include <tbb/parallel_for.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/base/atomic_file.h"
+#include "core/package/byte_sink.h"
+#include "core/package/container.h"
+#include "core/package/index_encode.h"
+#include "core/package/model_check.h"
+#include "core/package/section_encode.h"
+#include "core/package/zstd_encode.h"
+
+namespace bosk {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+// Statistics apart for this many kinds of expected codeword; 1 where their tables would cost too
+// much.
+constexpr unsigned kBuckets[] = {1, 16};
+
+struct Section {
+  std::uint32_t type = 0, instance = 0;
+  std::function<std::vector<Bytes>()> candidates;  // raw bytes to choose from
+};
+
+struct PackedSection {
+  std::uint16_t codec = kStored;
+  std::uint64_t raw_length = 0;
+  Bytes bytes;
+};
+
+IndexShape index_shape(const TreeLevel& level) {
+  const auto across = std::size_t(level.texels / 4);
+  return {level.cells.size(), level.views.size(), across * across};
+}
+
+std::vector<Bytes> alpha_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
+  const IndexShape shape = index_shape(level);
+  std::vector<Bytes> candidates{encode_planes(level.alpha_indices, shape)};
+  if (level.alpha_codes.count == 0 || shape.count() == 0) return candidates;
+  const auto near = near_codewords(atlas, level.alpha_codes, CodewordKind::alpha, kMaxNear);
+  for (const unsigned buckets : kBuckets) {
+    candidates.push_back(encode_ranked_alpha(level.alpha_indices, shape, near, buckets));
+  }
+  return candidates;
+}
+
+std::vector<Bytes> colour_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
+  const IndexShape shape = index_shape(level);
+  std::vector<Bytes> candidates{encode_planes(level.colour_indices, shape)};
+  if (level.colour_codes.count == 0 || shape.count() == 0) return candidates;
+  const auto near = near_codewords(atlas, level.colour_codes, CodewordKind::colour, kMaxNear);
+  for (const unsigned buckets : kBuckets) {
+    candidates.push_back(
+        encode_ranked_colour(level.colour_indices, level.alpha_indices, shape, near, buckets));
+  }
+  return candidates;
+}
+
+// Large sections first in each level, small ones last: the order in the file and no more than that.
+std::vector<Section> list_sections(const TreeModel& tree) {
+  const auto one = [](auto encode) { return [=] { return std::vector<Bytes>{encode()}; }; };
+  std::vector<Section> sections{
+      {kMetadataSection, 0, one([&tree] { return encode_metadata(tree.metadata); })},
+      {kSceneSection, 0, one([&tree] { return encode_scene(tree); })},
+      {kLevelsSection, 0, one([&tree] { return encode_levels(tree); })},
+      {kAtlasSection, 0, one([&tree] { return encode_atlas(tree.atlas); })},
+      {kBc3Section, 0, one([&tree] { return encode_bc3(tree.atlas); })}};
+  for (std::uint32_t i = 0; i < tree.levels.size(); ++i) {
+    const TreeLevel& level = tree.levels[i];
+    sections.push_back({kCellsSection, i, one([&level] { return encode_cells(level); })});
+    sections.push_back({kAlphaSection, i, [&] { return alpha_candidates(level, tree.atlas); }});
+    sections.push_back({kColourSection, i, [&] { return colour_candidates(level, tree.atlas); }});
+  }
+  return sections;
+}
+
+// Stored where zstd gains nothing, or so much that a reader would take it for a bomb.
+PackedSection pack(const Bytes& raw, Progress& progress) {
+  Bytes packed = zstd_compress(raw, progress);
+  if (packed.size() >= raw.size() || raw.size() / kMaxRatio > packed.size()) {
+    return {kStored, raw.size(), raw};
+  }
+  return {kZstd, raw.size(), std::move(packed)};
+}
+
+PackedSection smallest(const std::vector<Bytes>& candidates, Progress& progress) {
+  PackedSection best = pack(candidates.front(), progress);
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    PackedSection other = pack(candidates[i], progress);
+    if (other.bytes.size() < best.bytes.size()) best = std::move(other);
+  }
+  return best;
+}
+
+void put_entry(ByteSink& table, const Section& section, const PackedSection& packed,
+               std::uint64_t offset) {
+  table.value(section.type);
+  table.value(section.instance);
+  table.value(packed.codec);
+  table.value(kRequired);
+  table.value(std::uint32_t(0));
+  table.value(offset);
+  table.value(std::uint64_t(packed.bytes.size()));
+  table.value(packed.raw_length);
+  table.value(std::uint64_t(XXH3_64bits(packed.bytes.data(), packed.bytes.size())));
+}
+
+Bytes header(const Bytes& table, std::uint64_t file_length, std::size_t section_count) {
+  ByteSink sink;
+  for (const std::uint8_t byte : kMagic) sink.value(byte);
+  sink.value(kMajorVersion);
+  sink.value(kMinorVersion);
+  sink.value(kByteOrderMark);
+  sink.value(file_length);
+  sink.value(std::uint32_t(section_count));
+  sink.value(std::uint32_t(0));
+  sink.value(std::uint64_t(XXH3_64bits(table.data(), table.size())));
+  sink.bytes.resize(56);
+  sink.value(std::uint64_t(XXH3_64bits(sink.bytes.data(), sink.bytes.size())));
+  return std::move(sink.bytes);
+}
+
+Bytes assemble_file(const std::vector<Section>& sections,
+                    const std::vector<PackedSection>& packed) {
+  ByteSink table, body;
+  const std::uint64_t first = kHeaderBytes + sections.size() * kEntryBytes;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    put_entry(table, sections[i], packed[i], first + body.bytes.size());
+    body.append(packed[i].bytes);
+    body.bytes.resize((body.bytes.size() + kSectionAlignment - 1) / kSectionAlignment *
+                      kSectionAlignment);
+  }
+  ByteSink file{header(table.bytes, first + body.bytes.size(), sections.size())};
+  file.append(table.bytes);
+  file.append(body.bytes);
+  if (file.bytes.size() > kMaxFileBytes) {
+    throw Error("the tree is too large for a package; give it fewer levels or fewer views");
+  }
+  return std::move(file.bytes);
+}
+
+}  // namespace
+
+std::vector<std::byte> package_bytes(const TreeModel& tree, Progress& progress) {
+  check_tree_model(tree);
+  const std::vector<Section> sections = list_sections(tree);
+  progress.begin("Packing", sections.size());
+  std::vector<PackedSection> packed(sections.size());
+  tbb::parallel_for(std::size_t(0), sections.size(), [&](std::size_t i) {
+    packed[i] = smallest(sections[i].candidates(), progress);
+    progress.advance();
+  });
+  return assemble_file(sections, packed);
+}
+
+void write_package(const std::filesystem::path& path, const TreeModel& tree, Progress& progress) {
+  write_file_atomically(path, package_bytes(tree, progress));
+}
+
+}  // namespace bosk
