@@ -7,7 +7,10 @@
 
 #include "core/image/image.h"
 #include "core/render/code_texture.h"
+#include "core/render/draw_list.h"
+#include "core/render/reference.h"
 #include "core/render/splat.h"
+#include "tests/render/toy_trees.h"
 
 namespace bosk::toy {
 
@@ -31,8 +34,12 @@ inline void slow_splat(const Splat& splat, const std::vector<Float4>& texture, i
                        int samples, Image<glm::vec4>& image) {
   const glm::dmat2 pixel_from_square(glm::dvec2(splat.across_px), glm::dvec2(splat.down_px));
   const glm::dmat2 square_from_pixel = glm::inverse(pixel_from_square);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
+  const glm::vec2 reach = half_extent_px(splat) + 1.0f;
+  const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(splat.centre_px - reach)), 0);
+  const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(splat.centre_px + reach)),
+                                   glm::ivec2(image.width() - 1, image.height() - 1));
+  for (int y = first.y; y <= last.y; ++y)
+    for (int x = first.x; x <= last.x; ++x) {
       glm::dvec4 sum(0.0);
       for (int j = 0; j < samples; ++j)
         for (int i = 0; i < samples; ++i) {
@@ -44,6 +51,31 @@ inline void slow_splat(const Splat& splat, const std::vector<Float4>& texture, i
       const glm::vec4 mean(sum / double(samples * samples));
       image(x, y) = mean + (1.0f - mean.a) * image(x, y);
     }
+}
+
+// One level of the tree, premultiplied. The squares' edges go through the lens themselves, so that
+// the renderer's local affine map is judged too.
+inline Image<glm::vec4> slow_render(const TreeModel& model, const Camera& camera, int only_level) {
+  Image<glm::vec4> image(camera.lens.width_px, camera.lens.height_px, glm::vec4(0.0f));
+  DrawOptions options;
+  options.only_level = only_level;
+  const TileTexels tiles = exact_tiles(model.atlas);
+  for (const DrawItem& item : make_draw_list(model, viewpoint_of(camera), options)) {
+    const TreeLevel& level = model.levels[item.level_slot];
+    const glm::dvec3 centre = cell_centre_in_world(model, level.level, level.cells[item.cell]);
+    const BillboardAxes axes = billboard_axes(centre, camera.centre_in_world());
+    const double half_m = 0.5 * cell_size_m(model, level.level) * double(level.side_factor);
+    const glm::dvec2 middle = project(camera, centre).value();
+    const glm::dvec2 right = project(camera, centre + half_m * axes.right).value();
+    const glm::dvec2 left = project(camera, centre - half_m * axes.right).value();
+    const glm::dvec2 top = project(camera, centre + half_m * axes.up).value();
+    const glm::dvec2 bottom = project(camera, centre - half_m * axes.up).value();
+    std::vector<Float4> texture(std::size_t(level.texels * level.texels));
+    decode_item(model, tiles, item, texture.data());
+    slow_splat({middle, 0.5 * (right - left), 0.5 * (bottom - top), 0}, texture, level.texels, 8,
+               image);
+  }
+  return image;
 }
 
 }  // namespace bosk::toy

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/package/tree_model.h"
+#include "core/photo/camera.h"
+
+namespace bosk {
+
+struct LevelSwitchOptions {
+  double least_psnr_db = 32.0;  // a level serves while it is this near to the finest one ...
+  double slack_db = 0.5;  // ... or at most this much farther from the truth than the finest is
+  int most_cameras = 2;   // spread over the list that is given
+};
+
+// How far the tree, drawn at one level alone, is from the finest level drawn larger and box-reduced
+// to the same size: over white, sRGB-encoded, in the pixels that either touches, all cameras
+// together.
+struct LevelError {
+  std::size_t level_slot = 0;
+  double cell_px = 0.0;  // size on screen of a cell of that level at the middle of the tree
+  double psnr_db = 0.0;  // 99 where the two are equal
+};
+
+// Every level, the finest too, at sizes of the tree's cube from 8 px in steps of two. Cameras give
+// the directions; one farther in than 1.5 sides of the cube is moved out to there. Without cameras:
+// one from the side. Empty for a tree without levels.
+std::vector<LevelError> measure_level_errors(const TreeModel& model,
+                                             const std::vector<Camera>& cameras,
+                                             const LevelSwitchOptions& options, Progress& progress);
+
+// Sets max_cell_px of every level but the finest to the largest size up to which it is good enough
+// at every measured one, interpolated between sizes; 0 where it never is. The finest has no limit:
+// 0.
+void set_level_switches(TreeModel& model, const std::vector<Camera>& cameras, Progress& progress,
+                        const LevelSwitchOptions& options = {});
+
+}  // namespace bosk
