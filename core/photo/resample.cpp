@@ -1,5 +1,6 @@
 #include "core/photo/resample.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -103,19 +104,30 @@ double scale_between(const Place& a, const Place& b, int axis) {
 }
 
 template <class Fetch>
+void resample_row(const Fetch& premultiplied_at, const Lens& original,
+                  const std::vector<Place>& row, const std::vector<Place>& below, int y,
+                  Image<glm::vec4>& result) {
+  Taps columns, rows;
+  for (int x = 0; x < result.width(); ++x) {
+    const auto i = std::size_t(x);
+    if (!row[i]) continue;
+    find_taps(row[i]->x, scale_between(row[i], row[i + 1], 0), original.width_px, columns);
+    find_taps(row[i]->y, scale_between(row[i], below[i], 1), original.height_px, rows);
+    result(x, y) = straight_srgb(weighted_mean(premultiplied_at, columns, rows));
+  }
+}
+
+template <class Fetch>
 Image<glm::vec4> resampled(const Fetch& premultiplied_at, const Lens& original,
                            const Lens& working) {
   Image<glm::vec4> result(working.width_px, working.height_px, glm::vec4(0.0f));
-  tbb::parallel_for(0, working.height_px, [&](int y) {
-    const std::vector<Place> row = row_in_original(original, working, y);
-    const std::vector<Place> below = row_in_original(original, working, y + 1);
-    Taps columns, rows;
-    for (int x = 0; x < working.width_px; ++x) {
-      const auto i = std::size_t(x);
-      if (!row[i]) continue;
-      find_taps(row[i]->x, scale_between(row[i], row[i + 1], 0), original.width_px, columns);
-      find_taps(row[i]->y, scale_between(row[i], below[i], 1), original.height_px, rows);
-      result(x, y) = straight_srgb(weighted_mean(premultiplied_at, columns, rows));
+  const tbb::blocked_range<int> all_rows(0, working.height_px, 16);
+  tbb::parallel_for(all_rows, [&](const tbb::blocked_range<int>& rows) {
+    std::vector<Place> row = row_in_original(original, working, rows.begin());
+    for (int y = rows.begin(); y < rows.end(); ++y) {
+      std::vector<Place> below = row_in_original(original, working, y + 1);
+      resample_row(premultiplied_at, original, row, below, y, result);
+      row = std::move(below);
     }
   });
   return result;
