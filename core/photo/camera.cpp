@@ -13,6 +13,8 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kInverseError_px = 1e-10;  // a tenth of what camera.h promises
+constexpr double kRounding =
+    1e-14;  // a step as small, relatively, is noise: x is as good as it gets
 constexpr double kHalfPi = 1.57079632679489661923;
 
 double binomial(int n, int k) {
@@ -157,14 +159,16 @@ std::optional<T> unbend(const T& target, T x, double tolerance, const Bend& bend
   for (int i = 0; i < 100 && here.inside; ++i) {
     const T miss = target - here.value;
     if (size_of(miss) <= tolerance) return x;
-    T step = newton_step(here.slope, miss);
+    const T full_step = newton_step(here.slope, miss);
+    T step = full_step;
     const auto nearer = [&](const auto& there) {
       return there.inside && size_of(target - there.value) < size_of(miss);
     };
     auto there = bend(x + step);
     for (int halving = 0; halving < 40 && !nearer(there); ++halving)
       there = bend(x + (step = 0.5 * step));
-    if (!nearer(there)) return std::nullopt;
+    if (!nearer(there))
+      return size_of(full_step) < kRounding * size_of(x) ? std::optional(x) : std::nullopt;
     x = x + step;
     here = there;
   }

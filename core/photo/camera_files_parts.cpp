@@ -14,15 +14,16 @@
 namespace bosk::camera_files {
 namespace {
 
+// Wide enough for every camera, and no product of two such numbers overflows.
+constexpr double kLargestNumber = 1e12, kShortestFocalLength_px = 1e-3;
 constexpr double kLargestSize_px = 100'000.0;
 constexpr std::size_t kLongestName = 200;       // file systems take 255 bytes with an ending
 constexpr double kLargestRotationError = 1e-3;  // files with few digits stay below it
 constexpr double kRoundingError = 1e-12;        // a rotation as good as that is left as it is
 
-bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-bool finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool usable(double number) { return std::abs(number) <= kLargestNumber; }  // no NaN either
+bool usable(const glm::dvec2& v) { return usable(v.x) && usable(v.y); }
+bool usable(const glm::dvec3& v) { return usable(v.x) && usable(v.y) && usable(v.z); }
 
 // "view.05" has none: no image format is called by digits alone, and NeRF lists images without.
 bool has_ending(const std::filesystem::path& file) {
@@ -100,15 +101,18 @@ void set_size(Lens& lens, double width_px, double height_px, const std::string& 
 void check(const Camera& camera, const std::string& place) {
   Lens lens = camera.lens;
   set_size(lens, lens.width_px, lens.height_px, place);
-  if (!finite(lens.focal_px) || !(lens.focal_px.x > 0.0) || !(lens.focal_px.y > 0.0))
+  if (!usable(lens.focal_px) || !(lens.focal_px.x >= kShortestFocalLength_px) ||
+      !(lens.focal_px.y >= kShortestFocalLength_px))
     refuse(place, "the focal length " + text_from(lens.focal_px.x) + ", " +
-                      text_from(lens.focal_px.y) + " px is not above zero; correct it");
-  if (!finite(lens.principal_px)) refuse(place, "the principal point is not finite; correct it");
+                      text_from(lens.focal_px.y) + " px is not from 0.001 to 1e12; correct it");
+  if (!usable(lens.principal_px))
+    refuse(place, "the principal point is not finite or beyond 1e12; correct it");
   for (const double k : lens.distortion)
-    if (!std::isfinite(k)) refuse(place, "a distortion parameter is not finite; correct it");
+    if (!usable(k))
+      refuse(place, "a distortion parameter is not finite or beyond 1e12; correct it");
   const RigidTransform& pose = camera.camera_from_world;
-  if (!finite(pose.translation) || !(rotation_error(pose.rotation) < kLargestRotationError))
-    refuse(place, "the pose is not finite or its rotation is none; correct it");
+  if (!usable(pose.translation) || !(rotation_error(pose.rotation) < kLargestRotationError))
+    refuse(place, "the pose is not finite, beyond 1e12 or turned by no rotation; correct it");
 }
 
 void check_set(std::span<const Camera> cameras, const std::string& place) {

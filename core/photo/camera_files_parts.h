@@ -36,7 +36,8 @@ bool has_control_characters(std::string_view text);
 std::string camera_name(std::string_view image, const std::string& place);
 // `w` and `h` as the lens's size, refused unless 1 to 100,000.
 void set_size(Lens& lens, double width_px, double height_px, const std::string& place);
-// Refuses numbers that are not finite, focal lengths not above zero and sizes out of range.
+// Refuses numbers that are not finite or absurd, focal lengths not above zero and sizes out of
+// range.
 void check(const Camera& camera, const std::string& place);
 // Refuses no camera at all and two of one name.
 void check_set(std::span<const Camera> cameras, const std::string& place);
