@@ -1,0 +1,122 @@
+#include "core/project/capture.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/base/system_error.h"
+#include "core/photo/camera_files.h"
+
+namespace bosk {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint64_t kMaxSourceBytes = std::uint64_t(4) << 30;
+
+using FilesByName = std::map<std::string, fs::path>;
+
+void add_file(FilesByName& files, const fs::path& path) {
+  const std::string name = path.stem().string();
+  const auto [place, is_new] = files.emplace(name, path);
+  if (!is_new) {
+    throw Error(printable(place->second.string()) + " and " + printable(path.string()) +
+                ": files are matched by name without ending, and these have the same; rename one");
+  }
+}
+
+// The folder's regular files; hidden ones aside.
+FilesByName files_in(const fs::path& folder) {
+  std::error_code failure;
+  FilesByName files;
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    const bool hidden = entry.path().filename().string().rfind('.', 0) == 0;
+    if (!hidden && entry.is_regular_file()) add_file(files, entry.path());
+  }
+  if (failure) throw system_error(folder, "read", failure.value());
+  return files;
+}
+
+void hash_content(std::vector<SourceFile>& files) {
+  tbb::parallel_for(std::size_t(0), files.size(), [&](std::size_t i) {
+    files[i].content = content_hash(read_file(files[i].path, kMaxSourceBytes));
+  });
+}
+
+std::vector<Camera> project_cameras(const Project& project) {
+  if (project.cameras.empty()) {
+    throw Error(printable(project.folder.string()) +
+                ": the project has no cameras; make it again with `bosk new --cameras FILE`");
+  }
+  return read_cameras(project.absolute(project.cameras));
+}
+
+FilesByName files_of_folder(const Project& project, const fs::path& folder) {
+  return folder.empty() ? FilesByName{} : files_in(project.absolute(folder));
+}
+
+struct Candidates {
+  FilesByName photos, mattes, scribbles;
+  std::map<std::string, Camera> cameras;
+};
+
+Candidates find_candidates(const Project& project, const std::vector<Camera>& cameras) {
+  Candidates found;
+  for (const fs::path& photo : project.photos) add_file(found.photos, project.absolute(photo));
+  for (const Camera& camera : cameras) found.cameras[camera.name] = camera;
+  found.mattes = files_of_folder(project, project.mattes);
+  found.scribbles = files_of_folder(project, project.scribbles);
+  return found;
+}
+
+// Why the photo can't be used; none when it can.
+std::optional<std::string> obstacle(const Candidates& found, bool needs_matte,
+                                    const std::string& name) {
+  if (found.cameras.count(name) == 0) return "the camera file has no camera of that name";
+  if (needs_matte && found.mattes.count(name) == 0) return "there is no matte of that name";
+  return std::nullopt;
+}
+
+void require_two_photos(const Project& project, const Capture& capture) {
+  if (capture.photos.size() >= 2) return;
+  std::string message = printable(project.folder.string()) +
+                        ": at least 2 usable photos are needed, " +
+                        std::to_string(capture.photos.size()) + " of " +
+                        std::to_string(project.photos.size()) + " can be used";
+  if (!capture.remarks.empty()) message += "; " + capture.remarks.front();
+  throw Error(message);
+}
+
+}  // namespace
+
+Capture gather_capture(const Project& project) {
+  return gather_capture(project, project_cameras(project));
+}
+
+Capture gather_capture(const Project& project, const std::vector<Camera>& cameras) {
+  const Candidates found = find_candidates(project, cameras);
+  const bool needs_matte = !project.mattes.empty();
+  Capture capture;
+  for (const auto& [name, path] : found.photos) {
+    if (const auto reason = obstacle(found, needs_matte, name)) {
+      capture.remarks.push_back("photo " + printable(name) + " is not used: " + *reason);
+      continue;
+    }
+    capture.photos.push_back({name, path, {}});
+    capture.cameras.push_back(found.cameras.at(name));
+    if (needs_matte) capture.mattes.push_back({name, found.mattes.at(name), {}});
+    const auto strokes = found.scribbles.find(name);
+    if (strokes != found.scribbles.end()) capture.scribbles.push_back({name, strokes->second, {}});
+  }
+  require_two_photos(project, capture);
+  hash_content(capture.photos);
+  hash_content(capture.mattes);
+  hash_content(capture.scribbles);
+  return capture;
+}
+
+}  // namespace bosk

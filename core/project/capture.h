@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/content_hash.h"
+#include "core/photo/camera.h"
+#include "core/project/project.h"
+
+namespace bosk {
+
+// One file that a run starts from. `name` is the file's without folder and ending.
+struct SourceFile {
+  std::string name;
+  std::filesystem::path path;
+  ContentHash content;
+};
+
+// All that a run starts from, gathered from the project's files; everything after is a function of
+// this and the recipe. Photos that lack a camera or, where ready-made mattes are used, a matte are
+// not in it.
+struct Capture {
+  std::vector<SourceFile> photos;  // by name; the same order in `cameras`
+  std::vector<Camera> cameras;
+  std::vector<SourceFile> mattes;     // one for each photo, or none at all
+  std::vector<SourceFile> scribbles;  // for some of the photos
+  std::set<std::string> left_out;     // names of photos that no stage after import may see
+  std::vector<std::string> remarks;   // one sentence for each file of the project that is not used
+};
+
+// Reads the camera file and the content of every source file. Throws Error when fewer than two
+// photos are left, naming why.
+Capture gather_capture(const Project& project);
+// The same with the content of the camera file at hand.
+Capture gather_capture(const Project& project, const std::vector<Camera>& cameras);
+
+}  // namespace bosk

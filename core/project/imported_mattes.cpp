@@ -1,0 +1,127 @@
+#include "core/project/imported_mattes.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/system_error.h"
+#include "core/image/colour.h"
+#include "core/image/image_io.h"
+#include "core/matte/foreground.h"
+#include "core/photo/resample.h"
+
+namespace bosk {
+namespace {
+
+const SourceFile* file_named(const std::vector<SourceFile>& files, const std::string& name) {
+  for (const SourceFile& file : files) {
+    if (file.name == name) return &file;
+  }
+  return nullptr;
+}
+
+const SourceFile& matte_file(const std::vector<SourceFile>& files, const Photo& photo) {
+  if (const SourceFile* file = file_named(files, photo.name)) return *file;
+  throw Error("photo " + printable(photo.name) + " has no matte; add one of its name");
+}
+
+// In the photo's working pixels; without colour where the file has none.
+struct FittedMatte {
+  Image<glm::vec4> rgba;
+  bool has_colour = false;
+};
+
+FittedMatte fitted_matte(const SourceFile& file, const Photo& photo, const DecodeLimits& limits,
+                         const Progress& progress) {
+  const DecodedMatte matte = decode_matte(file.path, limits, progress);
+  try {
+    return {undistort_rgba(matte.rgba, photo.original_camera, photo.camera), matte.has_colour};
+  } catch (const Error& error) {
+    throw Error(printable(file.path.string()) + ": " + error.what(), error.kind());
+  }
+}
+
+void require_something(const SourceFile& file, const Image<glm::vec4>& rgba) {
+  const auto& pixels = rgba.pixels();
+  if (std::any_of(pixels.begin(), pixels.end(), [](const glm::vec4& p) { return p.a > 0.0f; })) {
+    return;
+  }
+  throw Error(
+      printable(file.path.string()) +
+      ": the matte is clear everywhere, so the photo shows no tree; mend the matte or leave "
+      "the photo out");
+}
+
+std::vector<FittedMatte> fitted_mattes(const std::vector<SourceFile>& files, const Photos& photos,
+                                       const DecodeLimits& limits, Progress& progress) {
+  std::vector<FittedMatte> mattes(photos.size());
+  progress.begin("Reading mattes", photos.size(), 0.0, 0.6);
+  tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
+    const SourceFile& file = matte_file(files, photos[i]);
+    mattes[i] = fitted_matte(file, photos[i], limits, progress);
+    require_something(file, mattes[i].rgba);
+    progress.advance();
+  });
+  return mattes;
+}
+
+// The photo's colours freed from the background that shines through where alpha is partial.
+void add_colour(Image<glm::vec4>& rgba, const Photo& photo, Progress& progress) {
+  Image<glm::vec3> linear(photo.srgb.width(), photo.srgb.height());
+  Image<float> alpha(photo.srgb.width(), photo.srgb.height());
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    linear.data()[i] = linear_from_srgb(photo.srgb.data()[i]);
+    alpha.data()[i] = rgba.data()[i].a;
+  }
+  const Image<glm::vec3> front = estimate_foreground(linear, alpha, progress);
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    rgba.data()[i] = glm::vec4(srgb_from_linear(front.data()[i]), rgba.data()[i].a);
+  }
+}
+
+std::size_t rows_to_colour(const std::vector<FittedMatte>& mattes) {
+  std::size_t rows = 0;
+  for (const FittedMatte& matte : mattes) {
+    if (!matte.has_colour) rows += std::size_t(matte.rgba.height());
+  }
+  return rows;
+}
+
+// White, black or grey as a stroke's value: the mean of the channels.
+Image<std::uint8_t> grey_of(const DecodedPhoto& drawn) {
+  const Image<glm::vec3> srgb = srgb_of(drawn);
+  Image<std::uint8_t> grey(srgb.width(), srgb.height());
+  std::transform(srgb.pixels().begin(), srgb.pixels().end(), grey.pixels().begin(),
+                 [](const glm::vec3& p) { return byte_from_unit((p.r + p.g + p.b) / 3.0f); });
+  return grey;
+}
+
+}  // namespace
+
+Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
+                     const DecodeLimits& limits, Progress& progress) {
+  std::vector<FittedMatte> fitted = fitted_mattes(files, photos, limits, progress);
+  progress.begin("Colours of mattes", rows_to_colour(fitted), 0.6, 1.0);
+  Mattes mattes;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    if (!fitted[i].has_colour) add_colour(fitted[i].rgba, photos[i], progress);
+    mattes.push_back({photos[i].name, std::move(fitted[i].rgba)});
+  }
+  return mattes;
+}
+
+Scribbles import_scribbles(const std::vector<SourceFile>& files, const Photos& photos,
+                           const DecodeLimits& limits, Progress& progress) {
+  Scribbles scribbles;
+  for (const Photo& photo : photos) {
+    const SourceFile* file = file_named(files, photo.name);
+    if (file == nullptr) continue;
+    const DecodedPhoto drawn = decode_photo(file->path, limits, progress);
+    scribbles[photo.name] =
+        scribbles_in_photo(grey_of(drawn), photo, printable(file->path.string()));
+  }
+  return scribbles;
+}
+
+}  // namespace bosk

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/matte/matte.h"
+#include "core/photo/decode.h"
+#include "core/photo/photo.h"
+#include "core/project/capture.h"
+
+namespace bosk {
+
+// Ready-made mattes for the photos, each taken through its photo's own resampling. A matte of one
+// channel gives the opacity alone; its colour is estimated from the photo. Throws Error naming the
+// file for a photo without matte, a matte that can't be read, doesn't fit its photo or is clear
+// everywhere.
+Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
+                     const DecodeLimits& limits, Progress& progress);
+
+// Strokes of those photos that have some, in the photos' working pixels.
+Scribbles import_scribbles(const std::vector<SourceFile>& files, const Photos& photos,
+                           const DecodeLimits& limits, Progress& progress);
+
+}  // namespace bosk

@@ -1,0 +1,170 @@
+#include "core/project/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/project/cache.h"
+
+namespace bosk {
+namespace {
+
+using Keys = std::map<std::string, ContentHash>;
+
+constexpr int kEntriesKept = 4;  // of each stage: the latest, and those of a few settings before
+
+Keys stage_keys(const Capture& capture, const Recipe& recipe) {
+  Keys keys;
+  Recipe copy = recipe;
+  for (const Stage& stage : stages()) {
+    ContentHasher hasher;
+    hasher.text(stage.name).value(stage.version);
+    if (stage.options) {
+      for (const Option& option : stage.options(copy)) {
+        hasher.text(option.name).text(value_text(option));
+      }
+    }
+    for (const std::string& input : stage.inputs) {
+      hasher.value(keys.at(input).high).value(keys.at(input).low);
+    }
+    if (stage.hash_sources) stage.hash_sources(hasher, capture);
+    keys[stage.name] = hasher.finish();
+  }
+  return keys;
+}
+
+// One run: obtains results recursively, keeping in memory only what is still needed.
+class Runner {
+ public:
+  Runner(const Project& project, const Capture& capture, const std::vector<std::string>& wanted,
+         Progress& progress)
+      : capture_(capture),
+        recipe_(project.recipe),
+        keys_(stage_keys(capture, project.recipe)),
+        cache_(project.cache_folder()),
+        wanted_(wanted.begin(), wanted.end()),
+        progress_(progress) {
+    for (const std::string& stage : wanted) plan(stage_named(stage));
+  }
+
+  Run run() {
+    for (const std::string& stage : wanted_) obtain(stage_named(stage));
+    progress_.scope(0.0, 1.0);
+    return std::move(run_);
+  }
+
+ private:
+  // Finds what will have to be computed, as far as the cache's file names tell.
+  void plan(const Stage& stage) {
+    if (cache_.contains(stage.name, keys_.at(stage.name))) return;
+    if (!to_compute_.insert(stage.name).second) return;
+    total_share_ += stage.share;
+    for (const std::string& input : stage.inputs) plan(stage_named(input));
+  }
+
+  void obtain(const Stage& stage) {
+    if (stage.is_held(run_.results)) return;
+    progress_.check();
+    const auto start = std::chrono::steady_clock::now();
+    if (!load(stage)) {
+      for (const std::string& input : stage.inputs) obtain(stage_named(input));
+      compute(stage);
+      return;
+    }
+    report(stage, start, true);
+  }
+
+  bool load(const Stage& stage) {
+    const auto bytes = cache_.load(stage.name, keys_.at(stage.name));
+    if (!bytes) return false;
+    try {
+      read(stage, *bytes);
+      return true;
+    } catch (const Error&) {
+      return false;  // an entry that checks out but doesn't read is a miss too
+    }
+  }
+
+  void read(const Stage& stage, const std::vector<std::byte>& bytes) {
+    BinaryReader reader(bytes);
+    stage.read(reader, run_.results);
+    if (!reader.at_end()) throw Error("stored result of " + stage.name + " is too long");
+  }
+
+  void compute(const Stage& stage) {
+    const auto start = std::chrono::steady_clock::now();
+    begin_share(stage);
+    stage.compute(capture_, recipe_, run_.results, progress_);
+    progress_.check();
+    store(stage);
+    to_compute_.erase(stage.name);
+    let_go_of_inputs(stage);
+    report(stage, start, false);
+  }
+
+  void begin_share(const Stage& stage) {
+    const double total = std::max(total_share_, done_share_ + stage.share);
+    progress_.scope(done_share_ / total, (done_share_ + stage.share) / total);
+    progress_.begin(stage.title, 1);
+    done_share_ += stage.share;
+  }
+
+  // The result goes on as it was stored, so that a resumed run and an uninterrupted one agree even
+  // where storing rounds.
+  void store(const Stage& stage) {
+    BinaryWriter writer;
+    stage.write(writer, run_.results);
+    const ContentHash& key = keys_.at(stage.name);
+    cache_.store(stage.name, key, writer.bytes());
+    cache_.forget_old(stage.name, key, kEntriesKept);
+    stage.let_go(run_.results);
+    read(stage, writer.bytes());
+  }
+
+  void let_go_of_inputs(const Stage& stage) {
+    for (const std::string& input : stage.inputs) {
+      const bool needed =
+          wanted_.count(input) > 0 ||
+          std::any_of(to_compute_.begin(), to_compute_.end(), [&](const auto& name) {
+            const auto& inputs = stage_named(name).inputs;
+            return std::count(inputs.begin(), inputs.end(), input) > 0;
+          });
+      if (!needed) stage_named(input).let_go(run_.results);
+    }
+  }
+
+  void report(const Stage& stage, std::chrono::steady_clock::time_point start, bool from_cache) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    run_.times.push_back({stage.name, spent.count(), from_cache});
+  }
+
+  const Capture& capture_;
+  const Recipe& recipe_;
+  Keys keys_;
+  Cache cache_;
+  std::set<std::string> wanted_;
+  Progress& progress_;
+  Run run_;
+  std::set<std::string> to_compute_;
+  double total_share_ = 0.0, done_share_ = 0.0;
+};
+
+}  // namespace
+
+ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::string& stage) {
+  return stage_keys(capture, recipe).at(stage);
+}
+
+bool is_finished(const Project& project, const Capture& capture, const std::string& stage) {
+  const Cache cache(project.cache_folder());
+  return cache.contains(stage, stage_key(capture, project.recipe, stage));
+}
+
+Run run_stages(const Project& project, const Capture& capture,
+               const std::vector<std::string>& wanted, Progress& progress) {
+  return Runner(project, capture, wanted, progress).run();
+}
+
+}  // namespace bosk

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/content_hash.h"
+#include "core/base/progress.h"
+#include "core/project/capture.h"
+#include "core/project/stages.h"
+
+namespace bosk {
+
+// What a stage cost in one run.
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;
+  bool from_cache = false;
+};
+
+struct Run {
+  Results results;  // those of the wanted stages; others may have been let go
+  std::vector<StageTime> times;
+};
+
+// The key of a stage's result: its inputs' content, its options and its version. Paths and times
+// are no part of it.
+ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::string& stage);
+
+// Whether the result lies in the cache (its content is checked only when it is loaded).
+bool is_finished(const Project& project, const Capture& capture, const std::string& stage);
+
+// Makes the results of the wanted stages: from the cache where it holds them, else by computing
+// them and what they need, each stored as soon as it is made. Killed and called again, it goes on
+// after the last stored result, to the same bits. Only one process may work on a project: see
+// lock.h.
+Run run_stages(const Project& project, const Capture& capture,
+               const std::vector<std::string>& wanted, Progress& progress);
+
+}  // namespace bosk
