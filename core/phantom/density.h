@@ -8,8 +8,8 @@
 
 namespace bosk {
 
-// The true volume: a cube of side^3 voxels round the tree, x fastest. Areas per volume, 1/m: one side
-// of each leaf; the outside of wood. Leaves that face every way stop light like a medium of
+// The true volume: a cube of side^3 voxels round the tree, x fastest. Areas per volume, 1/m: one
+// side of each leaf; the outside of wood. Leaves that face every way stop light like a medium of
 // extinction 0.5 x leaf area, wood 0.25 x wood area.
 struct TreeDensity {
   Box box;

@@ -19,16 +19,18 @@ std::vector<glm::vec2> half_outline(LeafKind kind) {
   switch (kind) {
     case LeafKind::lobed:
       return {{0.22f, 0.55f}, {0.34f, 0.42f}, {0.52f, 1.0f}, {0.66f, 0.55f}, {0.84f, 0.62f}};
-    case LeafKind::ovate: return {{0.2f, 0.75f}, {0.42f, 1.0f}, {0.75f, 0.55f}};
-    case LeafKind::needle: break;
+    case LeafKind::ovate:
+      return {{0.2f, 0.75f}, {0.42f, 1.0f}, {0.75f, 0.55f}};
+    case LeafKind::needle:
+      break;
   }
   return {{0.5f, 1.0f}};
 }
 
 glm::dvec3 blade_point(const LeafPose& pose, double along, double across) {
   const glm::dvec3 side = glm::cross(pose.normal, pose.along);
-  const double lift = pose.fold * std::abs(across) * pose.width * 0.5 -
-                      pose.curl * along * along * pose.length;
+  const double lift =
+      pose.fold * std::abs(across) * pose.width * 0.5 - pose.curl * along * along * pose.length;
   return pose.foot + along * pose.length * pose.along + across * 0.5 * pose.width * side +
          lift * pose.normal;
 }
@@ -87,8 +89,8 @@ LeafPose needle_pose(const glm::dvec3& foot, const glm::dvec3& side, const glm::
   LeafPose pose;
   pose.foot = foot;
   pose.along = glm::normalize(side + 0.7 * shoot + random_offset(random, 0.25));
-  pose.normal = glm::normalize(glm::cross(pose.along, side + random_offset(random, 0.5)) +
-                               glm::dvec3(1e-6));
+  pose.normal =
+      glm::normalize(glm::cross(pose.along, side + random_offset(random, 0.5)) + glm::dvec3(1e-6));
   pose.normal = glm::normalize(pose.normal - glm::dot(pose.normal, pose.along) * pose.along);
   pose.length = shape.leaf_length * random.uniform(0.75, 1.15);
   pose.width = shape.leaf_width;

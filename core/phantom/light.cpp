@@ -242,8 +242,9 @@ glm::vec3 tree_radiance(const Tree& tree, const TreeLight& light, const World& w
   // A waxy sheen where the blade mirrors the sun.
   const glm::vec3 half = glm::normalize(view + world.sun_direction);
   const float mirror = std::max(glm::dot(normal, half), 0.0f);
-  const float gloss = std::pow(mirror, 18.0f) * light.facet_sun[facet];
-  return matt + world.sun_light * (0.045f * gloss);
+  const float fourth = mirror * mirror * mirror * mirror,
+              sixteenth = fourth * fourth * fourth * fourth;
+  return matt + world.sun_light * (0.045f * sixteenth * light.facet_sun[facet]);
 }
 
 glm::vec3 solid_radiance(const World& world, const RayScene& tree, const SolidHit& hit,

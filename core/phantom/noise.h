@@ -7,7 +7,8 @@
 namespace bosk {
 
 inline std::uint32_t hashed(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
-  std::uint32_t h = a * 0x9e3779b1u ^ (b * 0x85ebca77u + 0x7f4a7c15u) ^ (c * 0xc2b2ae3du + 0x27d4eb2fu);
+  std::uint32_t h =
+      a * 0x9e3779b1u ^ (b * 0x85ebca77u + 0x7f4a7c15u) ^ (c * 0xc2b2ae3du + 0x27d4eb2fu);
   h = (h ^ (h >> 16)) * 0x7feb352du;
   h = (h ^ (h >> 15)) * 0x846ca68bu;
   return h ^ (h >> 16);
@@ -26,7 +27,9 @@ inline float value_noise(const glm::vec3& point) {
     return hashed_unit(std::uint32_t(int(cell.x) + x), std::uint32_t(int(cell.y) + y),
                        std::uint32_t(int(cell.z) + z));
   };
-  const auto row = [&](int y, int z) { return glm::mix(lattice(0, y, z), lattice(1, y, z), fade.x); };
+  const auto row = [&](int y, int z) {
+    return glm::mix(lattice(0, y, z), lattice(1, y, z), fade.x);
+  };
   const auto slice = [&](int z) { return glm::mix(row(0, z), row(1, z), fade.y); };
   return glm::mix(slice(0), slice(1), fade.z);
 }

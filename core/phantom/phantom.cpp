@@ -48,7 +48,7 @@ World surround(const Tree& tree, const PhantomOptions& options) {
   const double scale = std::min(1.0, tree.shape.height / 9.0);
   world.markers = place_markers(options.markers, double(world.crown_radius), scale, seed);
   if (options.board_photos > 0) world.boards.push_back(stand_board(world));
-  if (options.background) world.distant_trees = place_distant_trees(22, tree.shape.height, seed);
+  if (options.background) world.distant_trees = place_distant_trees(32, tree.shape.height, seed);
   return world;
 }
 
@@ -74,8 +74,13 @@ Shot still_shot(const PhantomOptions& options, std::uint64_t number) {
 PhantomView view_of(const Studio& studio, const Camera& camera, const Shot& shot,
                     Progress& progress) {
   Exposure exposure = photograph(studio, camera, shot, progress);
-  PhantomView view{camera, std::move(exposure.photograph), std::move(exposure.matte),
-                   std::move(exposure.in_front), shot.exposure, {}, {}};
+  PhantomView view{camera,
+                   std::move(exposure.photograph),
+                   std::move(exposure.matte),
+                   std::move(exposure.in_front),
+                   shot.exposure,
+                   {},
+                   {}};
   for (std::size_t i = 0; i < studio.world.markers.size(); ++i) {
     const auto pixel = project(camera, studio.world.markers[i].centre);
     view.marker_px.push_back(pixel.value_or(glm::dvec2(-1e6)));
@@ -103,7 +108,8 @@ Phantom make_phantom(const PhantomOptions& options, Progress& progress) {
   const Walk walk = walk_round(studio.tree.vertices, options);
   const auto rows = [&](std::size_t views) { return views * std::size_t(options.height_px); };
   const std::size_t views = walk.photos.size() + walk.held_out.size();
-  progress.begin("Photographing", rows(views + std::size_t(options.board_photos)), kSetUpShare, 1.0);
+  progress.begin("Photographing", rows(views + std::size_t(options.board_photos)), kSetUpShare,
+                 1.0);
   std::uint64_t number = 0;
   for (const Camera& camera : walk.photos) {
     phantom.photos.push_back(view_of(studio, camera, shot_of(options, number++), progress));

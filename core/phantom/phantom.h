@@ -7,12 +7,12 @@
 
 #include "core/base/progress.h"
 #include "core/image/image.h"
+#include "core/matte/matte.h"
 #include "core/phantom/density.h"
 #include "core/phantom/phantom_options.h"
 #include "core/phantom/scene.h"
 #include "core/photo/camera.h"
 #include "core/photo/photo.h"
-#include "core/matte/matte.h"
 
 namespace bosk {
 
@@ -20,11 +20,11 @@ namespace bosk {
 struct PhantomView {
   Camera camera;  // named 000, 001, ...
   Image<glm::u8vec3> photograph;
-  Image<glm::u8vec4> matte;        // straight sRGB and alpha of the tree alone: the truth
-  Image<std::uint8_t> in_front;    // where markers hide what is behind
-  double exposure = 1.0;           // in photograph and matte
-  std::vector<glm::dvec2> marker_px;    // true pixel of each marker's centre
-  std::vector<double> marker_visible;   // share of its disc that shows
+  Image<glm::u8vec4> matte;            // straight sRGB and alpha of the tree alone: the truth
+  Image<std::uint8_t> in_front;        // where markers hide what is behind
+  double exposure = 1.0;               // in photograph and matte
+  std::vector<glm::dvec2> marker_px;   // true pixel of each marker's centre
+  std::vector<double> marker_visible;  // share of its disc that shows
 };
 
 struct Phantom {
@@ -52,8 +52,7 @@ Phantom make_phantom(const PhantomOptions& options, Progress& progress);
 //   density.npy                float32 [z][y][x], extinction per metre of the tree at rest
 //   truth.json                 options, markers, where they show, the density's box
 // Error when the folder can't be written.
-void write_phantom(const std::filesystem::path& folder, const Phantom& phantom,
-                   Progress& progress);
+void write_phantom(const std::filesystem::path& folder, const Phantom& phantom, Progress& progress);
 
 // Photos and mattes as the stages after import take them. The phantom must have been made with
 // distortion 0.

@@ -29,8 +29,8 @@ void write_jpeg(const std::filesystem::path& path, const Image<glm::u8vec3>& rgb
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("Compression", "jpeg:95");
   spec.attribute("jpeg:subsampling", "4:4:4");
-  if (!output->open("photo.jpg", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !output->close()) {
+  if (!output->open("photo.jpg", spec) || !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) ||
+      !output->close()) {
     throw Error("JPEG encoding failed: " + output->geterror(), ErrorKind::resource);
   }
   write_file_atomically(path, std::as_bytes(std::span(bytes)));

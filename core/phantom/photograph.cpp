@@ -27,7 +27,8 @@ Image<glm::vec2> pixel_plane(const Lens& lens) {
     for (int x = 0; x < plane.width(); ++x) {
       const auto seen = camera_from_pixel(lens, glm::dvec2(x - 1, y - 1));
       if (!seen || seen->z <= 0.0) {
-        throw Error("phantom: the lens sees nothing in a corner of the picture; use less distortion");
+        throw Error(
+            "phantom: the lens sees nothing in a corner of the picture; use less distortion");
       }
       plane(x, y) = glm::vec2(seen->x / seen->z, seen->y / seen->z);
     }
@@ -51,7 +52,11 @@ class Shutter {
  public:
   Shutter(const Studio& studio, const Camera& camera, const Shot& shot, const RayScene& rays,
           const Image<glm::vec2>& plane, const Image<std::uint8_t>& reach)
-      : studio_(studio), shot_(shot), rays_(rays), plane_(plane), reach_(reach),
+      : studio_(studio),
+        shot_(shot),
+        rays_(rays),
+        plane_(plane),
+        reach_(reach),
         seed_(std::uint32_t(Random(shot.seed, 6).bits())) {
     const RigidTransform world_from_camera = inverse(camera.camera_from_world);
     turn_ = glm::mat3(world_from_camera.rotation);
@@ -81,9 +86,11 @@ class Shutter {
     const auto sample = std::uint32_t(j * n + i);
     const float u = (float(i) + hashed_unit(pixel, sample, 1u)) / float(n);
     const float v = (float(j) + hashed_unit(pixel, sample, 2u)) / float(n);
-    const float px = float(x) + 1.0f + filter_quantile(u), py = float(y) + 1.0f + filter_quantile(v);
+    const float px = float(x) + 1.0f + filter_quantile(u),
+                py = float(y) + 1.0f + filter_quantile(v);
     const int left = int(px), top = int(py);
-    const int right = std::min(left + 1, plane_.width() - 1), below = std::min(top + 1, plane_.height() - 1);
+    const int right = std::min(left + 1, plane_.width() - 1),
+              below = std::min(top + 1, plane_.height() - 1);
     const float tx = px - float(left), ty = py - float(top);
     const glm::vec2 at = glm::mix(glm::mix(plane_(left, top), plane_(right, top), tx),
                                   glm::mix(plane_(left, below), plane_(right, below), tx), ty);
@@ -107,7 +114,8 @@ class Shutter {
            PixelSums& sums) const {
     const World& world = studio_.world;
     SolidHit solid;
-    if ((near & kSolidNear) != 0 && shot_.background) solid = solid_along(world, origin_, direction);
+    if ((near & kSolidNear) != 0 && shot_.background)
+      solid = solid_along(world, origin_, direction);
     glm::vec3 light(0.0f);
     if (hit) {
       light = tree_radiance(studio_.tree, studio_.tree_light, world, hit, direction);
@@ -141,7 +149,8 @@ class Shutter {
     if (std::abs(direction.z) < 0.35f && !world.distant_trees.empty()) {
       const RayHit hit = studio_.distant_rays.first_hit(origin_, direction);
       if (hit) {
-        const glm::vec3 light = tree_radiance(studio_.tree, studio_.tree_light, world, hit, direction);
+        const glm::vec3 light =
+            tree_radiance(studio_.tree, studio_.tree_light, world, hit, direction);
         return through_haze(light, hit.distance);
       }
     }
@@ -203,7 +212,8 @@ Exposure photograph(const Studio& studio, const Camera& camera, const Shot& shot
   const RayScene rays = windy ? RayScene(blown, studio.tree.triangles) : studio.resting_rays;
   progress.check();
   const Image<glm::vec2> plane = pixel_plane(camera.lens);
-  const Image<std::uint8_t> reach = pixel_reach(camera, vertices, studio.tree.triangles, studio.world);
+  const Image<std::uint8_t> reach =
+      pixel_reach(camera, vertices, studio.tree.triangles, studio.world);
   const Shutter shutter(studio, camera, shot, rays, plane, reach);
   const int width = camera.lens.width_px, height = camera.lens.height_px;
   Exposure exposure{Image<glm::u8vec3>(width, height), Image<glm::u8vec4>(width, height),
@@ -226,13 +236,16 @@ double visible_share(const Studio& studio, const Camera& camera, std::size_t mar
   for (int k = 0; k < kPoints; ++k) {
     const float radius = float(ball.radius) * 0.98f * std::sqrt((float(k) + 0.5f) / kPoints);
     const float angle = 2.39996323f * float(k);
-    const glm::vec3 point = glm::vec3(ball.centre) + radius * (std::cos(angle) * side + std::sin(angle) * up);
+    const glm::vec3 point =
+        glm::vec3(ball.centre) + radius * (std::cos(angle) * side + std::sin(angle) * up);
     const auto pixel = project(camera, glm::dvec3(point));
     const bool inside = pixel && pixel->x > -0.5 && pixel->y > -0.5 &&
-                        pixel->x < camera.lens.width_px - 0.5 && pixel->y < camera.lens.height_px - 0.5;
+                        pixel->x < camera.lens.width_px - 0.5 &&
+                        pixel->y < camera.lens.height_px - 0.5;
     if (!inside) continue;
     const SolidHit first = solid_along(studio.world, eye, point - eye);
-    const bool own = first.distance * glm::distance(point, eye) > glm::distance(point, eye) - 1.01f * float(ball.radius);
+    const bool own = first.distance * glm::distance(point, eye) >
+                     glm::distance(point, eye) - 1.01f * float(ball.radius);
     if (own && !studio.resting_rays.blocked(eye, point - eye, first.distance)) ++seen;
   }
   return double(seen) / kPoints;

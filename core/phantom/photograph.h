@@ -40,13 +40,13 @@ struct Shot {
 // alpha F + (1 - alpha) B up to noise, clipping and 8 bits, wherever nothing stands in front.
 struct Exposure {
   Image<glm::u8vec3> photograph;  // sRGB
-  Image<glm::u8vec4> matte;       // the tree alone: straight sRGB colour and alpha; 0 where alpha is 0
-  Image<std::uint8_t> in_front;   // share of the pixel where a marker or board hides what is behind
+  Image<glm::u8vec4> matte;  // the tree alone: straight sRGB colour and alpha; 0 where alpha is 0
+  Image<std::uint8_t> in_front;  // share of the pixel where a marker or board hides what is behind
 };
 
-// Every pixel gathers its rays under the filter (1 3 3 1)/8 at half-pixel steps, the same for colour
-// and alpha, so alpha is area coverage under that filter. Light moves with the leaves: wind changes
-// where they are, not how they are lit.
+// Every pixel gathers its rays under the filter (1 3 3 1)/8 at half-pixel steps, the same for
+// colour and alpha, so alpha is area coverage under that filter. Light moves with the leaves: wind
+// changes where they are, not how they are lit.
 Exposure photograph(const Studio& studio, const Camera& camera, const Shot& shot,
                     Progress& progress);
 

@@ -38,7 +38,8 @@ std::vector<glm::vec2> projected(const Camera& camera, const std::vector<glm::ve
   return pixels;
 }
 
-// The box of points on a thing's hull; a thing that is partly out of the lens's reach may be anywhere.
+// The box of points on a thing's hull; a thing that is partly out of the lens's reach may be
+// anywhere.
 void mark_hull(const Camera& camera, const std::vector<glm::vec3>& hull,
                Image<std::uint8_t>& reach) {
   glm::vec2 lower(1e30f), upper(-1e30f);

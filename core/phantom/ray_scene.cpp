@@ -87,8 +87,8 @@ RayScene::RayScene(const RayScene& mesh, const std::vector<MeshCopy>& copies) {
     RTCGeometry geometry = rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, mesh.handles_->scene);
     const float s = copy.scale;
-    const std::array<float, 12> columns{s,  0, 0, 0, s, 0, 0, 0, s, copy.shift.x,
-                                        copy.shift.y, copy.shift.z};
+    const std::array<float, 12> columns{
+        s, 0, 0, 0, s, 0, 0, 0, s, copy.shift.x, copy.shift.y, copy.shift.z};
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(made->scene, geometry);
@@ -106,8 +106,8 @@ RayHit RayScene::first_hit(const glm::vec3& origin, const glm::vec3& direction) 
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(handles_->scene, &context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {found.hit.primID, found.hit.instID[0], found.ray.tfar, found.hit.u, found.hit.v,
-          {found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z}};
+  return {found.hit.primID, found.hit.instID[0], found.ray.tfar,
+          found.hit.u,      found.hit.v,         {found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z}};
 }
 
 PacketHits RayScene::first_hits(const glm::vec3& origin, const PacketDirections& directions) const {
@@ -130,9 +130,10 @@ PacketHits RayScene::first_hits(const glm::vec3& origin, const PacketDirections&
   PacketHits hits;
   for (int k = 0; k < kPacketRays; ++k) {
     if (packet.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
-    hits[std::size_t(k)] = {packet.hit.primID[k], 0, packet.ray.tfar[k], packet.hit.u[k],
-                            packet.hit.v[k],
-                            {packet.hit.Ng_x[k], packet.hit.Ng_y[k], packet.hit.Ng_z[k]}};
+    hits[std::size_t(k)] = {
+        packet.hit.primID[k], 0,
+        packet.ray.tfar[k],   packet.hit.u[k],
+        packet.hit.v[k],      {packet.hit.Ng_x[k], packet.hit.Ng_y[k], packet.hit.Ng_z[k]}};
   }
   return hits;
 }

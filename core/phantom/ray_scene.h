@@ -29,8 +29,8 @@ struct MeshCopy {
 };
 
 // Triangles that rays can be shot at, through Embree 3. Directions need not be of unit length:
-// distances are in units of them. Shooting is safe from any thread; building uses the calling thread
-// alone, so that the answer to a ray never depends on how many threads there are.
+// distances are in units of them. Shooting is safe from any thread; building uses the calling
+// thread alone, so that the answer to a ray never depends on how many threads there are.
 class RayScene {
  public:
   RayScene(const std::vector<glm::vec3>& vertices, const std::vector<glm::uvec3>& triangles);

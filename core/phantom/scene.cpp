@@ -105,14 +105,16 @@ glm::vec3 ground_albedo(const World& world, const glm::vec2& point, float footpr
   };
   const float fine = footprint < 0.12f ? 1.0f - footprint / 0.12f : 0.0f;
   const float dry = glm::smoothstep(0.48f, 0.68f, layer(5.0f, 3));
-  glm::vec3 grass = glm::mix(glm::vec3(0.075f, 0.115f, 0.03f), glm::vec3(0.19f, 0.17f, 0.065f), dry);
+  glm::vec3 grass =
+      glm::mix(glm::vec3(0.075f, 0.115f, 0.03f), glm::vec3(0.19f, 0.17f, 0.065f), dry);
   grass *= 0.72f + 0.56f * layer(0.6f, 3);
   if (fine > 0.0f) {
     const float blades = value_noise({point.x / 0.035f, point.y / 0.035f, 0.5f});
     grass *= 1.0f + fine * 1.1f * (blades - 0.5f);
   }
-  const float bare = glm::smoothstep(0.9f, 0.3f, glm::length(point) / (0.09f * world.tree_height) +
-                                                     0.5f * (layer(0.4f, 2) - 0.5f));
+  const float bare = 1.0f - glm::smoothstep(0.3f, 0.9f,
+                                            glm::length(point) / (0.09f * world.tree_height) +
+                                                0.5f * (layer(0.4f, 2) - 0.5f));
   return glm::mix(grass, glm::vec3(0.13f, 0.095f, 0.06f), bare);
 }
 
@@ -121,8 +123,9 @@ float distant_shadow(const World& world, const glm::vec2& point) {
   float light = 1.0f;
   for (const MeshCopy& tree : world.distant_trees) {
     const glm::vec2 centre = glm::vec2(tree.shift) + away * (0.5f * tree.scale * world.tree_height);
-    const float distance = glm::distance(point, centre) / (world.crown_radius * tree.scale);
-    light *= 1.0f - 0.85f * glm::smoothstep(1.15f, 0.75f, distance);
+    const glm::vec2 off = (point - centre) / (world.crown_radius * tree.scale);
+    const float square = glm::dot(off, off);
+    if (square < 1.3f) light *= 1.0f - 0.85f * (1.0f - glm::smoothstep(0.6f, 1.3f, square));
   }
   return light;
 }
@@ -162,7 +165,8 @@ std::vector<Marker> place_markers(int count, double crown_radius, double scale,
     const double distance = crown_radius * random.uniform(0.8, 1.05);
     const double height = scale * random.uniform(0.35, 1.2);
     const Paint& paint = paints[std::size_t(i)];
-    markers.push_back({paint.name, paint.srgb,
+    markers.push_back({paint.name,
+                       paint.srgb,
                        {distance * std::cos(angle), distance * std::sin(angle), height},
                        0.11 * scale});
   }
@@ -174,7 +178,7 @@ std::vector<MeshCopy> place_distant_trees(int count, double tree_height, std::ui
   std::vector<MeshCopy> copies;
   for (int i = 0; i < count; ++i) {
     const double angle = 6.283185307179586 * (i + random.uniform(-0.35, 0.35)) / count;
-    const double distance = tree_height * random.uniform(5.0, 13.0);
+    const double distance = tree_height * random.uniform(4.5, 13.0);
     copies.push_back({glm::vec3(distance * std::cos(angle), distance * std::sin(angle), 0.0),
                       float(random.uniform(0.7, 1.25))});
   }

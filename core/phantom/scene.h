@@ -27,7 +27,8 @@ struct Board {
   double square = 0.06;
 };
 
-// All that surrounds the tree. Radiances are linear RGB where 1 is what a photograph shows as white.
+// All that surrounds the tree. Radiances are linear RGB where 1 is what a photograph shows as
+// white.
 struct World {
   std::uint32_t seed = 1;
   glm::vec3 sun_direction{0.0f, 0.0f, 1.0f};  // towards the sun

@@ -9,7 +9,7 @@ namespace bosk {
 namespace {
 
 constexpr std::uint8_t kTree = 255, kBackground = 0, kUnknown = 128;
-constexpr int kTreeStrokes = 16, kBackgroundStrokes = 12;
+constexpr int kTreeStrokes = 28, kBackgroundStrokes = 16;
 
 Image<float> blurred(const Image<float>& image, int radius) {
   Image<float> result(image.width(), image.height());
@@ -56,9 +56,8 @@ float liking_at(const Brush& brush, const glm::dvec2& at) {
 }
 
 // Goes on in the best of a few directions near the last one, until nothing there is liked.
-void draw_stroke(const Brush& brush, glm::dvec2 at, double length, Random& random,
+void draw_stroke(const Brush& brush, glm::dvec2 at, double heading, double length, Random& random,
                  Image<std::uint8_t>& strokes) {
-  double heading = random.uniform(0.0, 6.283185307);
   for (double drawn = 0.0; drawn < length; drawn += 1.0) {
     dab(brush, at, strokes);
     double best = 0.0;
@@ -81,7 +80,8 @@ void draw_strokes(const Brush& brush, int count, double length, Random& random,
   for (int attempt = 0; attempt < 4000 && drawn < count; ++attempt) {
     const glm::dvec2 at{random.uniform(0.0, width - 1.0), random.uniform(0.0, height - 1.0)};
     if (liking_at(brush, at) < brush.least_liking) continue;
-    draw_stroke(brush, at, length * random.uniform(0.5, 1.3), random, strokes);
+    draw_stroke(brush, at, random.uniform(0.0, 6.283185307), length * random.uniform(0.5, 1.3),
+                random, strokes);
     ++drawn;
   }
 }
@@ -92,11 +92,19 @@ void draw_trunk(const Brush& brush, Random& random, Image<std::uint8_t>& strokes
   for (int y = strokes.height() - 1; y >= strokes.height() / 3; --y) {
     for (int x = width / 3; x < 2 * width / 3; ++x) {
       if (brush.allowed(x, y) < 0.5f) continue;
-      for (int k = 0; k < 3; ++k) {
-        draw_stroke(brush, {x, y}, 0.12 * strokes.height(), random, strokes);
-      }
-      return;
+      constexpr double kUp = -1.5707963;
+      return draw_stroke(brush, {x, y - 2}, kUp, 0.15 * strokes.height(), random, strokes);
     }
+  }
+}
+
+// A touch on each ball that shows: their colours are nowhere else.
+void draw_markers(const PhantomView& view, const Brush& brush, Random& random,
+                  Image<std::uint8_t>& strokes) {
+  for (std::size_t i = 0; i < view.marker_px.size(); ++i) {
+    if (view.marker_visible[i] < 0.5 || liking_at(brush, view.marker_px[i]) < 0.5f) continue;
+    const double heading = random.uniform(0.0, 6.283185307);
+    draw_stroke(brush, view.marker_px[i], heading, 4.0 * brush.radius, random, strokes);
   }
 }
 
@@ -118,11 +126,12 @@ Image<std::uint8_t> draw_scribbles(const PhantomView& view, std::uint64_t seed) 
   const double thickness = std::clamp(width / 480.0, 0.5, 1.4);
   Image<std::uint8_t> strokes(width, height, kUnknown);
   Random random(seed, 11);
-  const Brush tree{closed, opaque, 0.45f, 2.5 * thickness, kTree};
+  const Brush tree{closed, opaque, 0.4f, 2.5 * thickness, kTree};
   const Brush background{open, clear, 0.9f, 3.5 * thickness, kBackground};
   draw_strokes(background, kBackgroundStrokes, 0.3 * width, random, strokes);
+  draw_markers(view, background, random, strokes);
   draw_strokes(tree, kTreeStrokes, 0.16 * width, random, strokes);
-  draw_trunk(tree, random, strokes);
+  draw_trunk({closed, opaque, 0.1f, 2.5 * thickness, kTree}, random, strokes);
   return strokes;
 }
 

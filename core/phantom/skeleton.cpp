@@ -58,7 +58,8 @@ class PointGrid {
     }
     size_ = glm::ivec3((upper_ - lower_) / cell_) + 1;
     lists_.resize(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z));
-    for (std::size_t i = 0; i < points.size(); ++i) lists_[index(cell_of(points[i]))].push_back(int(i));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      lists_[index(cell_of(points[i]))].push_back(int(i));
   }
 
   template <class Visit>
@@ -130,9 +131,10 @@ void grow_trunk(Growth& growth, const PointGrid& grid, const TreeShape& shape, R
   add_node(growth, grid, shape, position, -1);
   glm::dvec3 lean = 0.05 * random_direction(random);
   while (position.z < shape.leader_height) {
-    lean += 0.05 * random_direction(random) - 0.06 * lean;
+    lean += 0.04 * random_direction(random) - 0.1 * lean;
     const glm::dvec3 home{-position.x, -position.y, 0.0};
-    position += shape.step * glm::normalize(glm::dvec3(0, 0, 1) + lean * glm::dvec3(1, 1, 0) + 0.1 * home);
+    position +=
+        shape.step * glm::normalize(glm::dvec3(0, 0, 1) + lean * glm::dvec3(1, 1, 0) + 0.35 * home);
     add_node(growth, grid, shape, position, int(growth.nodes.size()) - 1);
   }
 }
@@ -148,10 +150,13 @@ bool grow_round(Growth& growth, const PointGrid& grid, const TreeShape& shape, R
   bool grew = false;
   for (std::size_t node = 0; node < pull.size(); ++node) {
     if (pull[node] == glm::dvec3(0.0)) continue;
-    glm::dvec3 direction = glm::normalize(pull[node]) + shape.tropism + shape.wobble * random_direction(random);
+    glm::dvec3 direction =
+        glm::normalize(pull[node]) + shape.tropism + shape.wobble * random_direction(random);
     if (glm::length(direction) < 0.2) direction = random_direction(random);
-    const glm::dvec3 position = growth.nodes[node].position + shape.step * glm::normalize(direction);
-    if (position.z < 0.25 * shape.crown_base || !room_for(growth, node, position, shape.step)) continue;
+    const glm::dvec3 position =
+        growth.nodes[node].position + shape.step * glm::normalize(direction);
+    if (position.z < 0.25 * shape.crown_base || !room_for(growth, node, position, shape.step))
+      continue;
     add_node(growth, grid, shape, position, int(node));
     grew = true;
   }
@@ -164,8 +169,8 @@ void smooth(Growth& growth) {
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const int child = growth.children[i][0];
     if (child < 0) continue;
-    const glm::dvec3 middle = 0.5 * (before[std::size_t(nodes[i].parent)].position +
-                                     before[std::size_t(child)].position);
+    const glm::dvec3 middle =
+        0.5 * (before[std::size_t(nodes[i].parent)].position + before[std::size_t(child)].position);
     nodes[i].position = glm::mix(nodes[i].position, middle, 0.5);
   }
 }

@@ -10,15 +10,17 @@
 
 namespace bosk {
 
-// A tree as triangles: first the wood (tubes), then the leaves. A facet is a flat part of a leaf with
-// a light of its own: one half of a folded leaf, or a whole needle. Metres, foot of the trunk at 0.
+// A tree as triangles: first the wood (tubes), then the leaves. A facet is a flat part of a leaf
+// with a light of its own: one half of a folded leaf, or a whole needle. Metres, foot of the trunk
+// at 0.
 struct Tree {
   TreeShape shape;
   std::vector<glm::vec3> vertices;
   std::vector<glm::uvec3> triangles;
   std::size_t wood_vertices = 0, wood_triangles = 0;
   std::vector<glm::vec3> wood_normals;  // of the wood's vertices, outwards
-  std::vector<glm::vec3> vertex_anchors;  // where each vertex hangs; the wind moves it as that point
+  std::vector<glm::vec3>
+      vertex_anchors;  // where each vertex hangs; the wind moves it as that point
   std::size_t triangles_per_facet = 1, facets_per_leaf = 1;
 
   std::size_t facet_count() const {

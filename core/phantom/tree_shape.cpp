@@ -10,7 +10,7 @@ namespace {
 
 TreeShape dense_shape() {
   TreeShape shape;
-  shape.radius_profile = {3.2, 4.7, 5.2, 5.15, 4.8, 4.2, 3.3, 2.0, 0.3};
+  shape.radius_profile = {3.0, 4.7, 5.3, 5.3, 4.9, 4.3, 3.5, 2.3, 0.5};
   return shape;
 }
 
@@ -19,19 +19,19 @@ TreeShape sparse_shape() {
   shape.crown_base = 2.0;
   shape.height = 8.6;
   shape.radius_profile = {0.9, 1.9, 2.5, 2.6, 2.4, 2.0, 1.5, 0.9, 0.2};
-  shape.envelope_lumps = 0.3;
-  shape.attractors = 900;
+  shape.envelope_lumps = 0.35;
+  shape.attractors = 2600;
   shape.step = 0.12;
-  shape.kill = 0.42;
-  shape.influence = 1.4;
+  shape.kill = 0.3;
+  shape.influence = 1.2;
   shape.leader_height = 4.5;
   shape.tropism = {0.0, 0.0, 0.25};
-  shape.pipe_exponent = 2.35;
+  shape.pipe_exponent = 2.25;
   shape.twig_radius = 0.0032;
   shape.trunk_flare = 0.35;
   shape.leaf_kind = LeafKind::ovate;
-  shape.leaf_bearing_radius = 0.0065;
-  shape.shoots_per_node = 0.55;
+  shape.leaf_bearing_radius = 0.006;
+  shape.shoots_per_node = 0.6;
   shape.shoot_length = 0.2;
   shape.leaves_per_shoot = 5;
   shape.leaf_length = 0.085;
@@ -49,12 +49,12 @@ TreeShape conical_shape() {
   shape.height = 10.0;
   shape.radius_profile = {2.5, 2.55, 2.35, 2.05, 1.75, 1.4, 1.05, 0.65, 0.08};
   shape.envelope_lumps = 0.22;
-  shape.attractors = 3200;
+  shape.attractors = 4200;
   shape.step = 0.12;
-  shape.kill = 0.3;
+  shape.kill = 0.26;
   shape.influence = 1.1;
   shape.leader_height = 9.7;
-  shape.rind = 0.3;
+  shape.rind = 0.45;
   shape.tropism = {0.0, 0.0, -0.12};
   shape.wobble = 0.12;
   shape.pipe_exponent = 2.25;
@@ -62,14 +62,14 @@ TreeShape conical_shape() {
   shape.trunk_flare = 0.3;
   shape.leaf_kind = LeafKind::needle;
   shape.leaf_bearing_radius = 0.012;
-  shape.shoots_per_node = 1.3;
+  shape.shoots_per_node = 2.0;
   shape.shoot_length = 0.2;
-  shape.leaves_per_shoot = 18;
-  shape.leaf_length = 0.062;
-  shape.leaf_width = 0.0085;
+  shape.leaves_per_shoot = 15;
+  shape.leaf_length = 0.092;
+  shape.leaf_width = 0.015;
   shape.leaf_droop = 0.1;
   shape.bark_albedo = {0.12f, 0.08f, 0.055f};
-  shape.leaf_albedo = {0.038f, 0.075f, 0.036f};
+  shape.leaf_albedo = {0.05f, 0.095f, 0.042f};
   shape.leaf_transmission = {0.02f, 0.04f, 0.012f};
   return shape;
 }
@@ -96,10 +96,10 @@ void coarsen(TreeShape& shape, double detail) {
 }
 
 void resize(TreeShape& shape, double factor) {
-  for (double* length : {&shape.crown_base, &shape.height, &shape.step, &shape.influence,
-                         &shape.kill, &shape.leader_height, &shape.twig_radius,
-                         &shape.leaf_bearing_radius, &shape.shoot_length, &shape.leaf_length,
-                         &shape.leaf_width}) {
+  for (double* length :
+       {&shape.crown_base, &shape.height, &shape.step, &shape.influence, &shape.kill,
+        &shape.leader_height, &shape.twig_radius, &shape.leaf_bearing_radius, &shape.shoot_length,
+        &shape.leaf_length, &shape.leaf_width}) {
     *length *= factor;
   }
   for (double& radius : shape.radius_profile) radius *= factor;

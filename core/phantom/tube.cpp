@@ -11,8 +11,7 @@ namespace {
 int sides_for(double radius) { return std::clamp(int(3.0 + radius * 120.0), 3, 14); }
 
 glm::dvec3 any_perpendicular(const glm::dvec3& direction) {
-  const glm::dvec3 other =
-      std::abs(direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 other = std::abs(direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   return glm::normalize(glm::cross(direction, other));
 }
 

@@ -16,8 +16,8 @@ struct TubeMesh {
   std::vector<glm::uvec3> triangles;                  // front side outwards
 };
 
-// Appends the tube along the line (two points or more), open where it starts, pointed where it ends.
-// Thick tubes get more sides: 3 to 14.
+// Appends the tube along the line (two points or more), open where it starts, pointed where it
+// ends. Thick tubes get more sides: 3 to 14.
 void add_tube(const std::vector<TubePoint>& line, TubeMesh& mesh);
 
 }  // namespace bosk

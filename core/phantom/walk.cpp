@@ -30,9 +30,9 @@ RigidTransform look_at(const glm::dvec3& eye, const glm::dvec3& target, double r
 
 // A place to stand, drawn before the distance is known.
 struct Stand {
-  double angle = 0.0, reach = 1.0;        // reach: relative to the walk's radius
+  double angle = 0.0, reach = 1.0;           // reach: relative to the walk's radius
   double eye_height = 1.6, elevation = 0.0;  // elevation: radians, instead of the eye height
-  glm::dvec3 aim{0.0};                    // off the crown's centre, relative to the tree's height
+  glm::dvec3 aim{0.0};  // off the crown's centre, relative to the tree's height
   double roll = 0.0;
 };
 
@@ -51,7 +51,8 @@ Subject subject_of(const std::vector<glm::vec3>& points) {
   }
   const std::size_t step = std::max<std::size_t>(1, points.size() / 3000);
   for (std::size_t i = 0; i < points.size(); i += step) subject.points.emplace_back(points[i]);
-  subject.centre = {0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y), 0.5 * (lower.z + upper.z)};
+  subject.centre = {0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y),
+                    0.5 * (lower.z + upper.z)};
   subject.height = upper.z - lower.z;
   return subject;
 }
@@ -162,11 +163,12 @@ std::vector<Camera> board_views(const Board& board, const PhantomOptions& option
   for (int i = 0; i < options.board_photos; ++i) {
     const glm::dvec3 off{random.uniform(-0.8, 0.8), random.uniform(-0.25, 0.6), 1.0};
     const double distance = lens.focal_px.x * fill * random.uniform(1.15, 2.0);
-    const glm::dvec3 aim = size * glm::dvec3(random.uniform(0.25, 0.75), random.uniform(0.25, 0.75), 0);
+    const glm::dvec3 aim =
+        size * glm::dvec3(random.uniform(0.25, 0.75), random.uniform(0.25, 0.75), 0);
     const glm::dvec3 eye = board.world_from_board * (0.5 * size + distance * glm::normalize(off));
     const double roll = random.uniform(-0.3, 0.3);
-    cameras.push_back({numbered(std::size_t(i)), lens,
-                       look_at(eye, board.world_from_board * aim, roll)});
+    cameras.push_back(
+        {numbered(std::size_t(i)), lens, look_at(eye, board.world_from_board * aim, roll)});
   }
   return cameras;
 }

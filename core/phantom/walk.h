@@ -10,8 +10,9 @@
 
 namespace bosk {
 
-// The photographer's walk round a tree whose points are given: photographs on a jittered ring at eye
-// height, looking at the crown; held-out views in between, every second one 10 to 35 degrees up.
+// The photographer's walk round a tree whose points are given: photographs on a jittered ring at
+// eye height, looking at the crown; held-out views in between, every second one 10 to 35 degrees
+// up.
 struct Walk {
   std::vector<Camera> photos, held_out;
 };
