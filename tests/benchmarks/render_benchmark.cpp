@@ -1,7 +1,9 @@
-// How long a tree takes to list and to draw: random billboards in a ball, about 5 x 5 px each.
+// How long a tree takes to list and to draw: random billboards in a ball, about 6 x 6 px each at
+// level 7. CPU times are of all threads together.
 #include <benchmark/benchmark.h>
 
 #include "core/render/draw_list.h"
+#include "core/render/level_switch.h"
 #include "core/render/reference.h"
 #include "tests/render/toy_trees.h"
 
@@ -59,7 +61,19 @@ BENCHMARK(draw_tree)
     ->Args({7, 0, 8})
     ->Args({5, 0, 4})
     ->Args({5, 30, 8})
+    ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
+
+void switch_levels(benchmark::State& state) {
+  TreeModel model = big_ball(7, 4, 8, 4);
+  for (const int level : {6, 5}) {
+    const TreeModel coarser = big_ball(level, 1, 8, 4);
+    model.levels.insert(model.levels.begin(), coarser.levels[0]);
+  }
+  Progress quiet;
+  for (auto _ : state) set_level_switches(model, {}, quiet);
+}
+BENCHMARK(switch_levels)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace bosk

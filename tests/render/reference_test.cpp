@@ -155,6 +155,8 @@ TEST(ReferenceRenderer, AgreesWithABruteForceSplatting) {
         sum += glm::dot(difference, difference) / 4.0;
       }
       const double psnr_db = -10.0 * std::log10(sum / double(fast.size()));
+      RecordProperty("texels_" + std::to_string(texels) + "_roll_" + std::to_string(roll),
+                     std::to_string(psnr_db));
       // Noise textures are the worst case; what is left is the lens inside a billboard and, turned,
       // the two passes' footprint
       EXPECT_GT(psnr_db, roll > 0.5 ? 32.0 : 40.0) << texels << " texels, roll " << roll;

@@ -115,7 +115,8 @@ TEST_P(SplatOfTexels, MatchesASupersampledSquareTurnedOrSheared) {
       Image<glm::vec4> slow(96, 96, glm::vec4(0.0f));
       toy::slow_splat(splat, texture, texels, 8, slow);
       const double rms = rms_difference(drawn(splat, texture, texels), slow, side_px * side_px);
-      RecordProperty("rms", std::to_string(rms));
+      RecordProperty("side_" + std::to_string(side_px) + "_turn_" + std::to_string(turn),
+                     std::to_string(rms));
       // Two passes filter a turned pixel as a sheared one; largest near 45 degrees
       EXPECT_LT(rms, 0.02 + 0.07 * std::abs(std::sin(2.0 * turn)))
           << side_px << " px, turn " << turn;
