@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cassert>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,7 +24,7 @@ struct IndexShape {
 
 enum class IndexTransform : std::uint8_t { planes = 0, ranked = 1 };
 
-inline constexpr unsigned kProbabilityBits = 12;
+inline constexpr unsigned kProbabilityBits = 11;
 inline constexpr unsigned kProbabilityOne = 1u << kProbabilityBits;
 inline constexpr std::uint32_t kRansLow = 1u << 16;  // coder states stay within [2^16, 2^32)
 inline constexpr unsigned kFlagContexts = 24;
@@ -32,15 +32,36 @@ inline constexpr unsigned kMaxNear = 64, kMaxBuckets = 64;
 // Tokens: a rank below the list's length, or that length + the bits of the zigzag difference.
 inline constexpr unsigned kEscapeTokens = 18;
 
-// Order of storage: view by view, in each cell by cell. visit(index of [cell][view][block], slot).
-template <class Visit>
-void visit_by_view(const IndexShape& shape, Visit&& visit) {
-  for (std::size_t view = 0; view < shape.views; ++view) {
-    for (std::size_t cell = 0, slot = 0; cell < shape.cells; ++cell) {
-      const std::size_t first = (cell * shape.views + view) * shape.blocks;
-      for (std::size_t block = 0; block < shape.blocks; ++block) visit(first + block, slot++);
+// Indices are coded view by view, in each cell by cell. Both functions go through groups of cells
+// small enough for the cache; kBlocks is a constant so that the inner loop unrolls.
+template <std::size_t kBlocks, bool kToViewOrder>
+std::vector<std::uint16_t> reordered(std::span<const std::uint16_t> from, const IndexShape& shape) {
+  constexpr std::size_t kGroup = 64;
+  std::vector<std::uint16_t> to(shape.count());
+  for (std::size_t group = 0; group < shape.cells; group += kGroup) {
+    const std::size_t end = std::min(group + kGroup, shape.cells);
+    for (std::size_t view = 0; view < shape.views; ++view) {
+      for (std::size_t cell = group; cell < end; ++cell) {
+        const std::size_t by_cell = (cell * shape.views + view) * kBlocks;
+        const std::size_t by_view = (view * shape.cells + cell) * kBlocks;
+        for (std::size_t block = 0; block < kBlocks; ++block) {
+          to[(kToViewOrder ? by_view : by_cell) + block] =
+              from[(kToViewOrder ? by_cell : by_view) + block];
+        }
+      }
     }
   }
+  return to;
+}
+inline std::vector<std::uint16_t> view_order(std::span<const std::uint16_t> in_cell_order,
+                                             const IndexShape& shape) {
+  return shape.blocks == 1 ? reordered<1, true>(in_cell_order, shape)
+                           : reordered<4, true>(in_cell_order, shape);
+}
+inline std::vector<std::uint16_t> cell_order(std::span<const std::uint16_t> in_view_order,
+                                             const IndexShape& shape) {
+  return shape.blocks == 1 ? reordered<1, false>(in_view_order, shape)
+                           : reordered<4, false>(in_view_order, shape);
 }
 
 // Context of "is this block pruned?": the same block in the view before, its neighbours in Morton
@@ -95,37 +116,44 @@ class IndexPredictor {
   std::uint16_t middle_ = 0;
 };
 
-// One walk for both directions. A coder has
-//   bool flag(unsigned context, bool value)                                   value: ignored by a
-//   decoder, std::uint16_t index(unsigned context, std::uint16_t expected, std::uint16_t value)
-//   returned by an encoder
+// One walk for both directions, over indices in view order. A coder has
+//   bool flag(unsigned context, bool value)
+//   std::uint16_t index(unsigned context, std::uint16_t expected, std::uint16_t value)
+// An encoder returns the value, a decoder ignores what it gets. It is handed over and back by
+// value: so its state lives in registers.
 template <class Coder>
-void walk_alpha(const IndexShape& shape, IndexPredictor predictor, std::span<std::uint16_t> values,
-                Coder& coder) {
+Coder walk_alpha(const IndexShape& shape, IndexPredictor predictor, std::span<std::uint16_t> values,
+                 Coder coder) {
   LiveContexts live(shape);
-  visit_by_view(shape, [&](std::size_t i, std::size_t slot) {
-    const bool is_live = coder.flag(live.context(slot), values[i] != kPruned);
-    live.set(slot, is_live);
-    if (!is_live) {
-      values[i] = kPruned;
-      return;
+  for (std::size_t i = 0; i < values.size();) {
+    for (std::size_t slot = 0; slot < shape.slots(); ++slot, ++i) {
+      const bool is_live = coder.flag(live.context(slot), values[i] != kPruned);
+      live.set(slot, is_live);
+      if (!is_live) {
+        values[i] = kPruned;
+        continue;
+      }
+      const auto expected = predictor.expect(slot);
+      values[i] = coder.index(expected.context, expected.index, values[i]);
+      predictor.set(slot, values[i]);
     }
-    const auto expected = predictor.expect(slot);
-    values[i] = coder.index(expected.context, expected.index, values[i]);
-    predictor.set(slot, values[i]);
-  });
+  }
+  return coder;
 }
 
 template <class Coder>
-void walk_colour(const IndexShape& shape, IndexPredictor predictor,
-                 std::span<const std::uint16_t> alpha, std::span<std::uint16_t> values,
-                 Coder& coder) {
-  visit_by_view(shape, [&](std::size_t i, std::size_t slot) {
-    if (alpha[i] == kPruned) return;  // its colour index is 0
-    const auto expected = predictor.expect(slot);
-    values[i] = coder.index(expected.context, expected.index, values[i]);
-    predictor.set(slot, values[i]);
-  });
+Coder walk_colour(const IndexShape& shape, IndexPredictor predictor,
+                  std::span<const std::uint16_t> alpha, std::span<std::uint16_t> values,
+                  Coder coder) {
+  for (std::size_t i = 0; i < values.size();) {
+    for (std::size_t slot = 0; slot < shape.slots(); ++slot, ++i) {
+      if (alpha[i] == kPruned) continue;  // its colour index is 0
+      const auto expected = predictor.expect(slot);
+      values[i] = coder.index(expected.context, expected.index, values[i]);
+      predictor.set(slot, values[i]);
+    }
+  }
+  return coder;
 }
 
 }  // namespace bosk

@@ -1,5 +1,6 @@
 #include "core/package/index_decode.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -19,55 +20,53 @@ struct RankedTables {
 };
 
 // Duda's asymmetric numeral systems, range variant, two states in turn so that a processor can work
-// on both. Words beyond the end read as 0 and are told by `finished`.
+// on both. No branch depends on the data. Words beyond the end read as 0 and are told by
+// `finished`.
 class RansDecoder {
  public:
-  RansDecoder(std::span<const std::byte> words, const RankedTables& tables)
-      : next_(words.data()), end_(words.data() + words.size()), tables_(tables) {
-    for (auto& state : state_) {
-      const std::uint32_t high = word();
-      state = high << 16 | word();
-    }
+  // `words` must have one word behind them that may be read, and outlive the decoder; as the tables
+  // must.
+  RansDecoder(std::span<const std::uint16_t> words, const RankedTables& tables)
+      : next_(words.data()),
+        end_(words.data() + words.size()),
+        pruned_(tables.pruned.data()),
+        slots_(tables.slots.data()) {
+    state_ = start();
+    other_ = start();
   }
   bool flag(unsigned context) {
-    const std::uint32_t pruned = tables_.pruned[context], low = state_[0] & (kProbabilityOne - 1);
+    const std::uint32_t pruned = pruned_[context], low = state_ & (kProbabilityOne - 1);
     const bool is_live = low >= pruned;
     advance(is_live ? kProbabilityOne - pruned : pruned, is_live ? low - pruned : low);
     return is_live;
   }
   unsigned token(unsigned context) {
-    const Slot slot =
-        tables_.slots[context << kProbabilityBits | (state_[0] & (kProbabilityOne - 1))];
+    const Slot slot = slots_[context << kProbabilityBits | (state_ & (kProbabilityOne - 1))];
     advance(slot.frequency_less_one + 1, slot.offset);
     return slot.symbol;
   }
   // The coder began with both states at the lower end, so a sound stream ends there.
-  bool finished() const {
-    return next_ == end_ && !overrun_ && state_[0] == kRansLow && state_[1] == kRansLow;
-  }
+  bool finished() const { return next_ == end_ && state_ == kRansLow && other_ == kRansLow; }
 
  private:
   void advance(std::uint32_t frequency, std::uint32_t offset) {
-    std::uint32_t state = frequency * (state_[0] >> kProbabilityBits) + offset;
-    if (state < kRansLow) state = state << 16 | word();
-    state_[0] = state_[1];
-    state_[1] = state;
+    const std::uint32_t state = frequency * (state_ >> kProbabilityBits) + offset;
+    const std::uint32_t more = state << 16 | *next_;
+    const bool is_low = state < kRansLow;
+    next_ += is_low && next_ != end_;
+    state_ = other_;
+    other_ = is_low ? more : state;
   }
-  std::uint16_t word() {
-    if (next_ == end_) {
-      overrun_ = true;
-      return 0;
-    }
-    std::uint16_t word;
-    std::memcpy(&word, next_, 2);
+  std::uint32_t start() {
+    if (end_ - next_ < 2) return 0;
     next_ += 2;
-    return word;
+    return std::uint32_t(next_[-2]) << 16 | next_[-1];
   }
 
-  const std::byte *next_, *end_;
-  const RankedTables& tables_;
-  std::uint32_t state_[2] = {};
-  bool overrun_ = false;
+  const std::uint16_t *next_, *end_;
+  const std::uint16_t* pruned_;
+  const Slot* slots_;
+  std::uint32_t state_ = 0, other_ = 0;
 };
 
 // Bits, lowest first; beyond the end they are 0 and told by `finished`.
@@ -98,38 +97,42 @@ class BitReader {
 
 class RankedDecoder {
  public:
-  RankedDecoder(const RankedTables& tables, const NearCodewords& near,
-                std::span<const std::byte> words, std::span<const std::byte> bits,
+  RankedDecoder(RansDecoder rans, BitReader bits, const NearCodewords& near,
                 const std::string& name)
-      : near_(near), rans_(words, tables), bits_(bits), name_(name) {}
+      : rans_(rans),
+        bits_(bits),
+        lists_(near.lists.data()),
+        length_(near.length),
+        count_(near.count),
+        name_(&name) {}
 
   bool flag(unsigned context, bool) { return rans_.flag(context); }
   std::uint16_t index(unsigned context, std::uint16_t expected, std::uint16_t) {
     const unsigned token = rans_.token(context);
-    if (token < near_.length) return near_.lists[std::size_t(expected) * near_.length + token];
-    return escaped(token - near_.length, expected);
+    if (token < length_) return lists_[std::size_t(expected) * length_ + token];
+    return escaped(token - length_, expected);
   }
   void expect_end() const {
-    if (!rans_.finished() || !bits_.finished()) damaged(name_ + ": coded indices do not end well");
+    if (!rans_.finished() || !bits_.finished()) damaged(*name_ + ": coded indices do not end well");
   }
 
  private:
   // `bit_count` bits of zigzag difference, of which the highest is 1 and not stored.
   std::uint16_t escaped(unsigned bit_count, std::uint16_t expected) {
-    if (bit_count >= kEscapeTokens) damaged(name_ + ": unknown token");
+    if (bit_count >= kEscapeTokens) damaged(*name_ + ": unknown token");
     const std::uint32_t zigzag =
         bit_count < 2 ? bit_count : 1u << (bit_count - 1) | bits_.bits(bit_count - 1);
     const std::int32_t half = std::int32_t(zigzag >> 1);
     const std::int32_t index = std::int32_t(expected) + ((zigzag & 1) != 0 ? -half - 1 : half);
-    if (index < 0 || index >= std::int32_t(near_.count))
-      damaged(name_ + ": index beyond the codebook");
+    if (index < 0 || index >= std::int32_t(count_)) damaged(*name_ + ": index beyond the codebook");
     return std::uint16_t(index);
   }
 
-  const NearCodewords& near_;
   RansDecoder rans_;
   BitReader bits_;
-  const std::string& name_;
+  const std::uint16_t* lists_;
+  std::uint32_t length_, count_;
+  const std::string* name_;
 };
 
 void read_context(ByteCursor& cursor, std::span<Slot> slots) {
@@ -167,11 +170,9 @@ std::vector<std::uint16_t> decode_planes(ByteCursor& cursor, const IndexShape& s
   const auto low = cursor.take(shape.count()), high = cursor.take(shape.count());
   cursor.expect_end();
   std::vector<std::uint16_t> values(shape.count());
-  std::size_t at = 0;
-  visit_by_view(shape, [&](std::size_t i, std::size_t) {
-    values[i] = std::uint16_t(unsigned(low[at]) | unsigned(high[at]) << 8);
-    ++at;
-  });
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = std::uint16_t(unsigned(low[i]) | unsigned(high[i]) << 8);
+  }
   return values;
 }
 
@@ -186,22 +187,23 @@ std::vector<std::uint16_t> decode_ranked(ByteCursor& cursor, const IndexShape& s
   }
   const auto word_count = cursor.value<std::uint32_t>(), bit_bytes = cursor.value<std::uint32_t>();
   const RankedTables tables = read_tables(cursor, alpha == nullptr, buckets + 1);
-  const auto words = cursor.take(std::uint64_t(word_count) * 2), bits = cursor.take(bit_bytes);
+  auto words = cursor.array<std::uint16_t>(word_count);
+  const auto bits = cursor.take(bit_bytes);
   cursor.expect_end();
+  words.push_back(0);
   const auto near =
       near_codewords(atlas, codes, alpha ? CodewordKind::colour : CodewordKind::alpha, length);
-  RankedDecoder decoder(tables, near, words, bits, cursor.section());
+  const RansDecoder rans(std::span<const std::uint16_t>(words).first(word_count), tables);
+  const RankedDecoder decoder(rans, BitReader{bits}, near, cursor.section());
   const IndexPredictor predictor(shape, codes.count, buckets);
   std::vector<std::uint16_t> values(shape.count(), 0);
-  if (alpha) {
-    walk_colour(shape, predictor, *alpha, values, decoder);
-  } else {
-    walk_alpha(shape, predictor, values, decoder);
-  }
-  decoder.expect_end();
+  const auto ended = alpha ? walk_colour(shape, predictor, *alpha, values, decoder)
+                           : walk_alpha(shape, predictor, values, decoder);
+  ended.expect_end();
   return values;
 }
 
+// Indices in view order.
 std::vector<std::uint16_t> decode(std::span<const std::byte> bytes, const IndexShape& shape,
                                   const CodeAtlas& atlas, const CodeRange& codes,
                                   const std::span<const std::uint16_t>* alpha,
@@ -215,18 +217,15 @@ std::vector<std::uint16_t> decode(std::span<const std::byte> bytes, const IndexS
 
 }  // namespace
 
-std::vector<std::uint16_t> decode_alpha_indices(std::span<const std::byte> bytes,
-                                                const IndexShape& shape, const CodeAtlas& atlas,
-                                                const CodeRange& codes, const std::string& name) {
-  return decode(bytes, shape, atlas, codes, nullptr, name);
-}
-
-std::vector<std::uint16_t> decode_colour_indices(std::span<const std::byte> bytes,
-                                                 const IndexShape& shape, const CodeAtlas& atlas,
-                                                 const CodeRange& codes,
-                                                 std::span<const std::uint16_t> alpha_indices,
-                                                 const std::string& name) {
-  return decode(bytes, shape, atlas, codes, &alpha_indices, name);
+LevelIndices decode_level_indices(std::span<const std::byte> alpha_bytes,
+                                  std::span<const std::byte> colour_bytes, const IndexShape& shape,
+                                  const CodeAtlas& atlas, const TreeLevel& frame) {
+  const std::string name = " indices of level " + std::to_string(frame.level);
+  const auto alpha = decode(alpha_bytes, shape, atlas, frame.alpha_codes, nullptr, "alpha" + name);
+  const std::span<const std::uint16_t> known_alpha(alpha);
+  const auto colour =
+      decode(colour_bytes, shape, atlas, frame.colour_codes, &known_alpha, "colour" + name);
+  return {cell_order(alpha, shape), cell_order(colour, shape)};
 }
 
 }  // namespace bosk

@@ -79,7 +79,8 @@ void scale_to_one(std::span<std::uint32_t> counts) {
   std::int64_t rest = kProbabilityOne;
   for (std::uint32_t& count : counts) {
     if (count > 0)
-      count = std::max<std::uint32_t>(1, std::uint32_t(count * std::uint64_t(4096) / total));
+      count =
+          std::max<std::uint32_t>(1, std::uint32_t(count * std::uint64_t(kProbabilityOne) / total));
     rest -= count;
   }
   while (rest != 0) {  // the largest bears the rounding; at most one step a symbol
@@ -155,7 +156,7 @@ void put_tables(ByteSink& sink, const Statistics& statistics, bool with_flags) {
   }
 }
 
-std::vector<std::byte> coded(Recorder& recorder, const NearCodewords& near, unsigned buckets,
+std::vector<std::byte> coded(Recorder recorder, const NearCodewords& near, unsigned buckets,
                              bool with_flags) {
   const Statistics statistics = gather(recorder.events, buckets + 1);
   const auto words = rans_words(recorder.events, statistics);
@@ -177,33 +178,32 @@ std::vector<std::byte> coded(Recorder& recorder, const NearCodewords& near, unsi
 
 std::vector<std::byte> encode_planes(std::span<const std::uint16_t> indices,
                                      const IndexShape& shape) {
-  std::vector<std::byte> bytes(1 + 2 * indices.size());
+  const auto values = view_order(indices, shape);
+  std::vector<std::byte> bytes(1 + 2 * values.size());
   bytes[0] = std::byte(IndexTransform::planes);
-  std::size_t at = 1;
-  visit_by_view(shape, [&](std::size_t i, std::size_t) {
-    bytes[at] = std::byte(indices[i] & 0xff);
-    bytes[at++ + indices.size()] = std::byte(indices[i] >> 8);
-  });
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    bytes[1 + i] = std::byte(values[i] & 0xff);
+    bytes[1 + values.size() + i] = std::byte(values[i] >> 8);
+  }
   return bytes;
 }
 
 std::vector<std::byte> encode_ranked_alpha(std::span<const std::uint16_t> indices,
                                            const IndexShape& shape, const NearCodewords& near,
                                            unsigned buckets) {
-  std::vector<std::uint16_t> values(indices.begin(), indices.end());
-  Recorder recorder(near);
-  walk_alpha(shape, IndexPredictor(shape, near.count, buckets), values, recorder);
-  return coded(recorder, near, buckets, true);
+  auto values = view_order(indices, shape);
+  const IndexPredictor predictor(shape, near.count, buckets);
+  return coded(walk_alpha(shape, predictor, values, Recorder(near)), near, buckets, true);
 }
 
 std::vector<std::byte> encode_ranked_colour(std::span<const std::uint16_t> indices,
                                             std::span<const std::uint16_t> alpha_indices,
                                             const IndexShape& shape, const NearCodewords& near,
                                             unsigned buckets) {
-  std::vector<std::uint16_t> values(indices.begin(), indices.end());
-  Recorder recorder(near);
-  walk_colour(shape, IndexPredictor(shape, near.count, buckets), alpha_indices, values, recorder);
-  return coded(recorder, near, buckets, false);
+  auto values = view_order(indices, shape);
+  const auto alpha = view_order(alpha_indices, shape);
+  const IndexPredictor predictor(shape, near.count, buckets);
+  return coded(walk_colour(shape, predictor, alpha, values, Recorder(near)), near, buckets, false);
 }
 
 }  // namespace bosk

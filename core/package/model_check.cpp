@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <span>
 
 #include "core/package/format.h"
 
@@ -38,11 +37,23 @@ void check_cells(const TreeLevel& level, const std::string& name) {
   }
 }
 
-// The largest of the indices, kPruned counted as 0; branch-free, so that compilers vectorise it.
-unsigned largest_index(std::span<const std::uint16_t> indices) {
-  unsigned largest = 0;
-  for (const unsigned index : indices) largest = std::max(largest, index == kPruned ? 0u : index);
-  return largest;
+// What the checks need of all indices, found in one pass that compilers vectorise.
+struct IndexExtremes {
+  std::uint16_t largest_alpha = 0, largest_colour = 0;  // kPruned apart
+  std::uint16_t pruned_colours = 0;                     // not 0 when a pruned block has a colour
+  std::uint16_t live = 0;                               // not 0 when a block is not pruned
+};
+IndexExtremes index_extremes(const TreeLevel& level) {
+  const std::uint16_t *alphas = level.alpha_indices.data(), *colours = level.colour_indices.data();
+  IndexExtremes extremes;
+  for (std::size_t i = 0; i < level.alpha_indices.size(); ++i) {
+    const std::uint16_t pruned = alphas[i] == kPruned ? 0xffff : 0, alpha = alphas[i] & ~pruned;
+    extremes.largest_alpha = std::max(extremes.largest_alpha, alpha);
+    extremes.largest_colour = std::max(extremes.largest_colour, colours[i]);
+    extremes.pruned_colours |= colours[i] & pruned;
+    extremes.live |= std::uint16_t(~pruned);
+  }
+  return extremes;
 }
 
 void check_indices(const TreeLevel& level, const std::string& name) {
@@ -51,16 +62,10 @@ void check_indices(const TreeLevel& level, const std::string& name) {
   if (level.alpha_indices.size() != count || level.colour_indices.size() != count) {
     damaged(name + ": number of indices is not cells x views x blocks");
   }
-  unsigned bad_colours = 0, live = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool pruned = level.alpha_indices[i] == kPruned;
-    live |= unsigned(!pruned);
-    bad_colours |= unsigned(pruned && level.colour_indices[i] != 0) |
-                   unsigned(level.colour_indices[i] == kPruned);
-  }
-  if (bad_colours != 0) damaged(name + ": a pruned block has a colour");
-  if (live != 0 && (largest_index(level.alpha_indices) >= level.alpha_codes.count ||
-                    largest_index(level.colour_indices) >= level.colour_codes.count)) {
+  const IndexExtremes extremes = index_extremes(level);
+  if (extremes.pruned_colours != 0) damaged(name + ": a pruned block has a colour");
+  if (extremes.live != 0 && (extremes.largest_alpha >= level.alpha_codes.count ||
+                             extremes.largest_colour >= level.colour_codes.count)) {
     damaged(name + ": an index beyond its codebook");
   }
 }

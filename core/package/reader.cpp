@@ -30,13 +30,11 @@ TreeLevel read_level(const Container& container, std::uint32_t position, const L
                      const CodeAtlas& atlas) {
   TreeLevel level = frame.level;
   level.cells = decode_cells(section_bytes(container, kCellsSection, position), frame);
-  const IndexShape shape = index_shape(frame);
-  level.alpha_indices =
-      decode_alpha_indices(section_bytes(container, kAlphaSection, position), shape, atlas,
-                           level.alpha_codes, section_name(kAlphaSection, position));
-  level.colour_indices = decode_colour_indices(
-      section_bytes(container, kColourSection, position), shape, atlas, level.colour_codes,
-      level.alpha_indices, section_name(kColourSection, position));
+  LevelIndices indices = decode_level_indices(section_bytes(container, kAlphaSection, position),
+                                              section_bytes(container, kColourSection, position),
+                                              index_shape(frame), atlas, frame.level);
+  level.alpha_indices = std::move(indices.alpha);
+  level.colour_indices = std::move(indices.colour);
   return level;
 }
 

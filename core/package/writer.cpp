@@ -19,13 +19,21 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// Statistics apart for this many kinds of expected codeword; 1 where their tables would cost too
-// much.
-constexpr unsigned kBuckets[] = {1, 16};
+// Statistics apart for this many kinds of expected codeword: more pay off in large levels.
+constexpr unsigned kBuckets[] = {1, 4, 16, 64};
+// Below it a level is also tried as planes; above it ranks were shorter on every tree measured, and
+// zstd would take seconds to say so.
+constexpr std::size_t kFewIndices = 1 << 14;
+
+// One way to say a section, before zstd.
+struct Candidate {
+  Bytes raw;
+  bool is_coded = false;  // zstd would gain nothing
+};
 
 struct Section {
   std::uint32_t type = 0, instance = 0;
-  std::function<std::vector<Bytes>()> candidates;  // raw bytes to choose from
+  std::function<std::vector<Candidate>()> candidates;
 };
 
 struct PackedSection {
@@ -39,32 +47,43 @@ IndexShape index_shape(const TreeLevel& level) {
   return {level.cells.size(), level.views.size(), across * across};
 }
 
-std::vector<Bytes> alpha_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
+using Indices = std::vector<std::uint16_t>;
+
+template <class EncodeRanked>
+std::vector<Candidate> index_candidates(const Indices& indices, const IndexShape& shape,
+                                        const CodeRange& codes, EncodeRanked&& encode_ranked) {
+  const bool can_rank = codes.count > 0 && shape.count() > 0;
+  std::vector<Candidate> candidates;
+  if (!can_rank || shape.count() < kFewIndices) {
+    candidates.push_back({encode_planes(indices, shape), false});
+  }
+  for (const unsigned buckets : kBuckets) {
+    if (can_rank) candidates.push_back({encode_ranked(buckets), true});
+  }
+  return candidates;
+}
+
+std::vector<Candidate> alpha_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
   const IndexShape shape = index_shape(level);
-  std::vector<Bytes> candidates{encode_planes(level.alpha_indices, shape)};
-  if (level.alpha_codes.count == 0 || shape.count() == 0) return candidates;
   const auto near = near_codewords(atlas, level.alpha_codes, CodewordKind::alpha, kMaxNear);
-  for (const unsigned buckets : kBuckets) {
-    candidates.push_back(encode_ranked_alpha(level.alpha_indices, shape, near, buckets));
-  }
-  return candidates;
+  return index_candidates(level.alpha_indices, shape, level.alpha_codes, [&](unsigned buckets) {
+    return encode_ranked_alpha(level.alpha_indices, shape, near, buckets);
+  });
 }
 
-std::vector<Bytes> colour_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
+std::vector<Candidate> colour_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
   const IndexShape shape = index_shape(level);
-  std::vector<Bytes> candidates{encode_planes(level.colour_indices, shape)};
-  if (level.colour_codes.count == 0 || shape.count() == 0) return candidates;
   const auto near = near_codewords(atlas, level.colour_codes, CodewordKind::colour, kMaxNear);
-  for (const unsigned buckets : kBuckets) {
-    candidates.push_back(
-        encode_ranked_colour(level.colour_indices, level.alpha_indices, shape, near, buckets));
-  }
-  return candidates;
+  return index_candidates(level.colour_indices, shape, level.colour_codes, [&](unsigned buckets) {
+    return encode_ranked_colour(level.colour_indices, level.alpha_indices, shape, near, buckets);
+  });
 }
 
-// Large sections first in each level, small ones last: the order in the file and no more than that.
+// In the order of the file.
 std::vector<Section> list_sections(const TreeModel& tree) {
-  const auto one = [](auto encode) { return [=] { return std::vector<Bytes>{encode()}; }; };
+  const auto one = [](auto encode) {
+    return [=] { return std::vector<Candidate>{{encode(), false}}; };
+  };
   std::vector<Section> sections{
       {kMetadataSection, 0, one([&tree] { return encode_metadata(tree.metadata); })},
       {kSceneSection, 0, one([&tree] { return encode_scene(tree); })},
@@ -81,18 +100,21 @@ std::vector<Section> list_sections(const TreeModel& tree) {
 }
 
 // Stored where zstd gains nothing, or so much that a reader would take it for a bomb.
-PackedSection pack(const Bytes& raw, Progress& progress) {
-  Bytes packed = zstd_compress(raw, progress);
-  if (packed.size() >= raw.size() || raw.size() / kMaxRatio > packed.size()) {
-    return {kStored, raw.size(), raw};
+PackedSection pack(Candidate candidate, const Progress& progress) {
+  const std::size_t raw_length = candidate.raw.size();
+  if (!candidate.is_coded) {
+    Bytes packed = zstd_compress(candidate.raw, progress);
+    if (packed.size() < raw_length && raw_length / kMaxRatio <= packed.size()) {
+      return {kZstd, raw_length, std::move(packed)};
+    }
   }
-  return {kZstd, raw.size(), std::move(packed)};
+  return {kStored, raw_length, std::move(candidate.raw)};
 }
 
-PackedSection smallest(const std::vector<Bytes>& candidates, Progress& progress) {
-  PackedSection best = pack(candidates.front(), progress);
+PackedSection smallest(std::vector<Candidate> candidates, const Progress& progress) {
+  PackedSection best = pack(std::move(candidates.front()), progress);
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    PackedSection other = pack(candidates[i], progress);
+    PackedSection other = pack(std::move(candidates[i]), progress);
     if (other.bytes.size() < best.bytes.size()) best = std::move(other);
   }
   return best;
