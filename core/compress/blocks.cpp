@@ -7,19 +7,32 @@ namespace {
 
 constexpr std::size_t kEdge = 4;
 
-// Mean of the visible texels' colours, by alpha over the fourth power of the distance.
+// One over the fourth power of the distance between two texels, [hole][texel].
+constexpr auto nearness_table() {
+  std::array<std::array<float, 16>, 16> table{};
+  for (std::size_t hole = 0; hole < 16; ++hole) {
+    for (std::size_t i = 0; i < 16; ++i) {
+      const float x = float(i % kEdge) - float(hole % kEdge);
+      const float y = float(i / kEdge) - float(hole / kEdge);
+      const float square = std::max(1.0f, x * x + y * y);
+      table[hole][i] = 1.0f / (square * square);
+    }
+  }
+  return table;
+}
+constexpr auto kNearness = nearness_table();
+
+// Mean of the visible texels' colours, by alpha and nearness.
 glm::u8vec3 colour_around(const BlockTexels& texels, std::size_t hole) {
-  glm::vec3 sum(0.0f);
-  float total = 0.0f;
+  float r = 0.0f, g = 0.0f, b = 0.0f, total = 0.0f;
   for (std::size_t i = 0; i < texels.size(); ++i) {
-    const float x = float(i % kEdge) - float(hole % kEdge);
-    const float y = float(i / kEdge) - float(hole / kEdge);
-    const float square = std::max(1.0f, x * x + y * y);
-    const float weight = float(texels[i].a) / (square * square);
-    sum += weight * glm::vec3(texels[i]);
+    const float weight = float(texels[i].a) * kNearness[hole][i];
+    r += weight * float(texels[i].r);
+    g += weight * float(texels[i].g);
+    b += weight * float(texels[i].b);
     total += weight;
   }
-  return glm::u8vec3(glm::round(sum / total));
+  return glm::u8vec3(glm::vec3(r, g, b) / total + 0.5f);
 }
 
 }  // namespace
@@ -42,8 +55,9 @@ BlockTexels block_texels(const BillboardLevel& level, std::size_t block) {
 }
 
 BlockAlphas block_alphas(const BlockTexels& texels) {
-  BlockAlphas alphas;
-  std::transform(texels.begin(), texels.end(), alphas.begin(), [](auto texel) { return texel.a; });
+  BlockAlphas alphas{};
+  std::transform(texels.begin(), texels.end(), alphas.begin(),
+                 [](const glm::u8vec4& texel) { return texel.a; });
   return alphas;
 }
 
@@ -51,23 +65,21 @@ bool is_pruned(const BlockTexels& texels) {
   return std::all_of(texels.begin(), texels.end(), [](auto texel) { return texel.a == 0; });
 }
 
-ColourBlock colour_block(const BlockTexels& texels) {
-  ColourBlock block;
+bool is_constant(const BlockTexels& texels) {
   const auto visible = [](const glm::u8vec4& texel) { return texel.a > 0; };
   const auto first = std::find_if(texels.begin(), texels.end(), visible);
-  if (first == texels.end()) return block;
-  block.constant = std::all_of(first, texels.end(), [&](const glm::u8vec4& texel) {
+  return std::all_of(first, texels.end(), [&](const glm::u8vec4& texel) {
     return texel.a == 0 || glm::u8vec3(texel) == glm::u8vec3(*first);
   });
-  if (block.constant) {
-    block.srgb.fill(glm::u8vec3(*first));
-    block.alpha.fill(255);
-    return block;
-  }
-  block.alpha = block_alphas(texels);
+}
+
+ColourBlock colour_block(const BlockTexels& texels) {
+  ColourBlock block{{}, block_alphas(texels)};
+  if (is_pruned(texels)) return block;
   for (std::size_t i = 0; i < texels.size(); ++i) {
-    block.srgb[i] = visible(texels[i]) ? glm::u8vec3(texels[i]) : colour_around(texels, i);
+    block.srgb[i] = texels[i].a > 0 ? glm::u8vec3(texels[i]) : colour_around(texels, i);
   }
+  if (is_constant(texels)) block.alpha.fill(255);
   return block;
 }
 

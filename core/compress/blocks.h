@@ -20,14 +20,14 @@ using BlockAlphas = std::array<std::uint8_t, 16>;
 std::size_t block_count(const BillboardLevel& level);
 BlockTexels block_texels(const BillboardLevel& level, std::size_t block);
 BlockAlphas block_alphas(const BlockTexels& texels);
-bool is_pruned(const BlockTexels& texels);  // alpha 0 everywhere
+bool is_pruned(const BlockTexels& texels);    // alpha 0 everywhere
+bool is_constant(const BlockTexels& texels);  // the visible texels have one colour
 
 // What counts of a block's colour. Clear texels take the colour of the visible ones around them,
 // since the alpha codeword may let them shine through a little; their own colour never matters.
 struct ColourBlock {
   BlockColours srgb{};
-  std::array<std::uint8_t, 16> alpha{};  // 255 throughout where the colour is constant
-  bool constant = false;                 // the visible texels have one colour
+  BlockAlphas alpha{};  // 255 throughout where the colour is constant
 };
 ColourBlock colour_block(const BlockTexels& texels);
 

@@ -5,6 +5,13 @@
 namespace bosk {
 namespace {
 
+// The weight of each coordinate.
+void spread_weights(const VectorSet& vectors, std::size_t vector, float* weights) {
+  for (const float weight : vectors.weight_row(vector)) {
+    weights = std::fill_n(weights, vectors.channels, weight);
+  }
+}
+
 // Sums of w, w x and w x^2 about a vector of the cluster, which keeps the differences well
 // conditioned.
 struct Moments {
@@ -13,20 +20,22 @@ struct Moments {
 
 Moments moments_about(const VectorSet& vectors, std::span<const std::uint32_t> members,
                       std::span<const float> pivot) {
-  const std::size_t channels = vectors.channels;
-  Moments moments{std::vector<double>(vectors.groups), std::vector<double>(vectors.dimension()),
-                  std::vector<double>(vectors.dimension())};
+  const std::size_t dimension = vectors.dimension();
+  Moments moments{std::vector<double>(dimension), std::vector<double>(dimension),
+                  std::vector<double>(dimension)};
+  std::vector<float> weights(dimension);
+  double* weight_sum = moments.weight.data();
+  double* first = moments.first.data();
+  double* second = moments.second.data();
   for (const std::uint32_t member : members) {
-    const auto values = vectors.value_row(member);
-    const auto weights = vectors.weight_row(member);
-    for (std::size_t group = 0; group < vectors.groups; ++group) {
-      const double weight = double(weights[group]);
-      moments.weight[group] += weight;
-      for (std::size_t d = group * channels; d < (group + 1) * channels; ++d) {
-        const double offset = double(values[d]) - double(pivot[d]);
-        moments.first[d] += weight * offset;
-        moments.second[d] += weight * offset * offset;
-      }
+    spread_weights(vectors, member, weights.data());
+    const float* values = vectors.value_row(member).data();
+    for (std::size_t d = 0; d < dimension; ++d) {
+      const double weight = double(weights[d]);
+      const double offset = double(values[d] - pivot[d]);
+      weight_sum[d] += weight;
+      first[d] += weight * offset;
+      second[d] += weight * offset * offset;
     }
   }
   return moments;
@@ -48,7 +57,7 @@ ClusterStatistics cluster_statistics(const VectorSet& vectors,
   result.mean.resize(vectors.dimension());
   double widest_error = 0.0;
   for (std::size_t d = 0; d < vectors.dimension(); ++d) {
-    const double weight = moments.weight[d / vectors.channels];
+    const double weight = moments.weight[d];
     if (weight <= 0.0) {
       result.mean[d] = plain_mean(vectors, members, d);
       continue;

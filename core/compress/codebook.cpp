@@ -15,13 +15,12 @@ namespace {
 // The search minimises bias - query . codeword. With query (w x, w) and codeword (c, -|c|^2 / 2)
 // per group that is sum w (|c|^2 / 2 - x . c): half the distance, but for what the vector alone
 // adds.
-void append_query(const VectorSet& vectors, std::size_t vector, std::vector<float>& query) {
-  const auto values = vectors.value_row(vector);
-  const auto weights = vectors.weight_row(vector);
-  for (std::size_t d = 0; d < values.size(); ++d) {
-    query.push_back(values[d] * weights[d / vectors.channels]);
+void write_query(const VectorSet& vectors, std::size_t vector, float* query) {
+  const float* value = vectors.value_row(vector).data();
+  for (const float weight : vectors.weight_row(vector)) {
+    for (std::size_t c = 0; c < vectors.channels; ++c) *query++ = weight * *value++;
   }
-  query.insert(query.end(), weights.begin(), weights.end());
+  std::ranges::copy(vectors.weight_row(vector), query);
 }
 
 std::vector<ClusterStatistics> all_statistics(const VectorSet& vectors, const Clusters& clusters,
@@ -121,9 +120,11 @@ CodewordTable search_table(const Codebook& codebook) {
 
 void encode(const VectorSet& vectors, const CodewordTable& table, std::size_t first,
             std::span<std::uint16_t> indices) {
-  std::vector<float> queries;
-  queries.reserve(indices.size() * std::size_t(table.dimension));
-  for (std::size_t i = 0; i < indices.size(); ++i) append_query(vectors, first + i, queries);
+  const auto dimension = std::size_t(table.dimension);
+  std::vector<float> queries(indices.size() * dimension);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    write_query(vectors, first + i, queries.data() + i * dimension);
+  }
   nearest_codewords(table, queries, indices);
 }
 
@@ -163,11 +164,9 @@ Clusters group_by_codeword(std::span<const std::uint16_t> indices, std::size_t c
   return clusters;
 }
 
-Codebook train_codebook(const VectorSet& vectors, const TrainingOptions& options,
-                        Progress& progress) {
-  assert(vectors.size() > 0 && options.codewords > 0);
-  Codebook codebook{vectors.groups, vectors.channels, {}, 0, 0.0};
-  codebook.values = seed_codewords(vectors, std::size_t(options.codewords), progress);
+Codebook refine_codebook(const VectorSet& vectors, std::vector<float> codewords,
+                         const TrainingOptions& options, Progress& progress) {
+  Codebook codebook{vectors.groups, vectors.channels, std::move(codewords), 0, 0.0};
   double weight = 0.0;
   for (const float w : vectors.weights) weight += double(w);
   double previous = std::numeric_limits<double>::max();
@@ -181,6 +180,13 @@ Codebook train_codebook(const VectorSet& vectors, const TrainingOptions& options
     previous = round.error;
   }
   return codebook;
+}
+
+Codebook train_codebook(const VectorSet& vectors, const TrainingOptions& options,
+                        Progress& progress) {
+  assert(vectors.size() > 0 && options.codewords > 0);
+  return refine_codebook(vectors, seed_codewords(vectors, std::size_t(options.codewords), progress),
+                         options, progress);
 }
 
 }  // namespace bosk

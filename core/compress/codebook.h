@@ -27,13 +27,18 @@ struct Codebook {
   std::size_t size() const { return values.size() / dimension(); }
 };
 
-// Generalised Lloyd algorithm (Linz et al. 2006, section 4.1) with centroids. Vectors count by
-// their weights. It gives fewer codewords than asked for when fewer vectors differ; the error is
-// then zero. Differs from the paper: seeds come from splitting the set (see seed_codewords), and a
-// codeword that no vector is nearest to takes half of the cluster with the largest error. No random
-// numbers: the same result at any thread count.
+// Codewords for `vectors`, which count by their weights: seed_codewords, then refine_codebook.
+// Gives fewer codewords than asked for when fewer vectors differ; the error is then zero. Without
+// random numbers: the same result every time, at any thread count. Needs one vector or more.
 Codebook train_codebook(const VectorSet& vectors, const TrainingOptions& options,
                         Progress& progress);
+
+// Generalised Lloyd algorithm (Linz et al. 2006, section 4.1) from the codewords given: each moves
+// to the mean of the vectors nearest to it, until the error settles. Differs from the paper: a
+// codeword that no vector is nearest to takes half of the cluster with the largest error, if any
+// has an error.
+Codebook refine_codebook(const VectorSet& vectors, std::vector<float> codewords,
+                         const TrainingOptions& options, Progress& progress);
 
 // Seeds by divisive clustering (Su and Dy 2007, "Var-Part"): the cluster with the largest error is
 // cut at its mean, across the coordinate that varies most, until there are enough. Needs one vector

@@ -18,7 +18,11 @@ struct CompressOptions {
   std::string colour_space =
       "lab_log_chroma";  // where colours are compared: lab, lab_log_chroma, srgb
   std::string codeword_rule =
-      "centroid";                // what stands for similar blocks: centroid, closest_block
+      "centroid";  // what stands for similar blocks: centroid, closest_block
+  // How much the error of a block's mean colour or opacity counts, next to that of its 16 texels
+  // together: from afar a billboard is a pixel or two, and what the mean is off by is all that
+  // shows.
+  double block_mean_weight = 4.0;
   int training_blocks = 131072;  // codewords are found on at most so many blocks of a level
 };
 Options describe(CompressOptions& options);

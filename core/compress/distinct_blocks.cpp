@@ -21,16 +21,19 @@ struct Fingerprint {
   float weight = 0.0f;
 };
 
+// Where the colour is constant, alpha is no part of the content but says how much the block counts.
 Fingerprint colour_fingerprint(const BlockTexels& texels) {
   if (is_pruned(texels)) return {};
-  const ColourBlock block = colour_block(texels);
-  BlockTexels key;
-  float alpha = 0.0f;
-  for (std::size_t i = 0; i < key.size(); ++i) {
-    key[i] = glm::u8vec4(block.srgb[i], block.alpha[i]);
-    alpha += float(texels[i].a) / (255.0f * 16.0f);
+  const bool constant = is_constant(texels);
+  BlockTexels visible{};
+  unsigned alpha = 0;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    alpha += texels[i].a;
+    if (texels[i].a > 0) visible[constant ? 0 : i] = texels[i];
   }
-  return {content_hash(std::as_bytes(std::span(key))), block.constant ? alpha : 1.0f};
+  if (constant) visible[0].a = 0;
+  return {content_hash(std::as_bytes(std::span(visible))),
+          constant ? float(alpha) / (16.0f * 255.0f) : 1.0f};
 }
 
 Fingerprint alpha_fingerprint(const BlockTexels& texels) {

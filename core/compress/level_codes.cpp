@@ -25,6 +25,7 @@ struct ColourKinds {
   const BillboardLevel& level;
   const DistinctBlocks& blocks;
   ColourSpace space;
+  float mean_weight;
   bool constant;  // every kind has one colour: three coordinates say all
 
   ColourBlock operator[](std::uint32_t kind) const {
@@ -34,20 +35,37 @@ struct ColourKinds {
 
 float texel_weight(std::uint8_t alpha) { return std::max(float(alpha) / 255.0f, kClearWeight); }
 
+// Adds the block's mean as one more texel that weighs `mean_weight` times as much as all 16.
+void append_mean(std::span<const float, 48> coordinates, const std::array<float, 16>& texel_weights,
+                 float mean_weight, VectorSet& vectors) {
+  std::array<float, 3> sum{};
+  float total = 0.0f;
+  for (std::size_t i = 0; i < 16; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += texel_weights[i] * coordinates[3 * i + c];
+    total += texel_weights[i];
+  }
+  for (const float channel : sum) vectors.values.push_back(channel / total);
+  vectors.weights.push_back(total * mean_weight);
+}
+
 VectorSet colour_vectors(const ColourKinds& colours, std::span<const std::uint32_t> kinds,
                          std::span<const float> weights) {
-  VectorSet vectors{colours.constant ? 1u : 16u, 3, {}, {}};
+  VectorSet vectors{colours.constant ? 1u : 17u, 3, {}, {}};
   vectors.values.reserve(kinds.size() * vectors.dimension());
   vectors.weights.reserve(kinds.size() * vectors.groups);
   std::array<float, 48> coordinates;
+  std::array<float, 16> texel_weights;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const ColourBlock block = colours[kinds[i]];
     write_coordinates(block.srgb, colours.space, coordinates);
+    std::transform(block.alpha.begin(), block.alpha.end(), texel_weights.begin(),
+                   [&](std::uint8_t alpha) { return weights[i] * texel_weight(alpha); });
+    const auto texels = std::ptrdiff_t(colours.constant ? 1 : 16);
     vectors.values.insert(vectors.values.end(), coordinates.begin(),
-                          coordinates.begin() + std::ptrdiff_t(vectors.dimension()));
-    for (std::size_t group = 0; group < vectors.groups; ++group) {
-      vectors.weights.push_back(weights[i] * texel_weight(block.alpha[group]));
-    }
+                          coordinates.begin() + 3 * texels);
+    vectors.weights.insert(vectors.weights.end(), texel_weights.begin(),
+                           texel_weights.begin() + texels);
+    if (!colours.constant) append_mean(coordinates, texel_weights, colours.mean_weight, vectors);
   }
   return vectors;
 }
@@ -87,30 +105,48 @@ BlockColours closest_colours(const ColourKinds& colours, std::span<const std::ui
   return colours[kinds[*nearest]].srgb;
 }
 
-BlockAlphas mean_alphas(const BillboardLevel& level, const DistinctBlocks& blocks,
-                        std::span<const std::uint32_t> kinds) {
+// Reads the kinds of one level's alpha blocks.
+struct AlphaKinds {
+  const BillboardLevel& level;
+  const DistinctBlocks& blocks;
+  float mean_weight;
+
+  BlockAlphas operator[](std::uint32_t kind) const {
+    return block_alphas(block_texels(level, blocks.first_block[kind]));
+  }
+};
+
+// Alpha itself is compared, and codewords are mean alphas: along a ray through independent blocks
+// that keeps the mean transmittance, a product of (1 - alpha), unbiased. Means of -log(1 - alpha)
+// would not.
+VectorSet alpha_vectors(const AlphaKinds& alphas, std::span<const std::uint32_t> kinds,
+                        std::span<const float> weights) {
+  VectorSet vectors{1, 17, {}, {weights.begin(), weights.end()}};
+  vectors.values.reserve(kinds.size() * vectors.channels);
+  const float mean_scale = std::sqrt(16.0f * alphas.mean_weight);
+  for (const std::uint32_t kind : kinds) {
+    float mean = 0.0f;
+    for (const std::uint8_t alpha : alphas[kind]) {
+      vectors.values.push_back(float(alpha) / 255.0f - 0.5f);
+      mean += vectors.values.back() / 16.0f;
+    }
+    vectors.values.push_back(mean * mean_scale);
+  }
+  return vectors;
+}
+
+BlockAlphas mean_alphas(const AlphaKinds& alphas, std::span<const std::uint32_t> kinds) {
   std::array<double, 16> sum{};
   double total = 0.0;
   for (const std::uint32_t kind : kinds) {
-    const BlockAlphas alphas = block_alphas(block_texels(level, blocks.first_block[kind]));
-    for (std::size_t i = 0; i < 16; ++i) sum[i] += double(blocks.weight[kind]) * alphas[i];
-    total += double(blocks.weight[kind]);
+    const BlockAlphas alpha = alphas[kind];
+    const double weight = double(alphas.blocks.weight[kind]);
+    for (std::size_t i = 0; i < 16; ++i) sum[i] += weight * alpha[i];
+    total += weight;
   }
   BlockAlphas mean;
   for (std::size_t i = 0; i < 16; ++i) mean[i] = std::uint8_t(std::lround(sum[i] / total));
   return mean;
-}
-
-VectorSet alpha_vectors(const BillboardLevel& level, const DistinctBlocks& blocks,
-                        std::span<const std::uint32_t> kinds, std::span<const float> weights) {
-  VectorSet vectors{1, 16, {}, {weights.begin(), weights.end()}};
-  vectors.values.reserve(kinds.size() * 16);
-  for (const std::uint32_t kind : kinds) {
-    for (const std::uint8_t alpha : block_alphas(block_texels(level, blocks.first_block[kind]))) {
-      vectors.values.push_back(float(alpha) / 255.0f - 0.5f);
-    }
-  }
-  return vectors;
 }
 
 double brightness(const BlockColours& codeword) {
@@ -157,7 +193,7 @@ Result finish(const DistinctBlocks& blocks, KindCodes codes, std::uint16_t prune
 
 bool all_constant(const BillboardLevel& level, const DistinctBlocks& blocks) {
   return std::all_of(blocks.first_block.begin(), blocks.first_block.end(),
-                     [&](auto block) { return colour_block(block_texels(level, block)).constant; });
+                     [&](auto block) { return is_constant(block_texels(level, block)); });
 }
 
 }  // namespace
@@ -169,7 +205,8 @@ std::size_t code_units(const BillboardLevel& level) {
 LevelColours code_colours(const BillboardLevel& level, const CompressOptions& options,
                           Progress& progress) {
   const DistinctBlocks blocks = distinct_colours(level, progress);
-  const ColourKinds colours{level, blocks, colour_space(options), all_constant(level, blocks)};
+  const ColourKinds colours{level, blocks, colour_space(options), float(options.block_mean_weight),
+                            all_constant(level, blocks)};
   const TrainingOptions training{.codewords = options.colour_codewords};
   KindCodes codes = code_kinds(
       blocks, [&](auto kinds, auto weights) { return colour_vectors(colours, kinds, weights); },
@@ -186,14 +223,14 @@ LevelColours code_colours(const BillboardLevel& level, const CompressOptions& op
 LevelAlphas code_alphas(const BillboardLevel& level, const CompressOptions& options,
                         Progress& progress) {
   const DistinctBlocks blocks = distinct_alphas(level, progress);
+  const AlphaKinds alphas{level, blocks, float(options.block_mean_weight)};
   const TrainingOptions training{.codewords = options.alpha_codewords};
   KindCodes codes = code_kinds(
-      blocks,
-      [&](auto kinds, auto weights) { return alpha_vectors(level, blocks, kinds, weights); },
+      blocks, [&](auto kinds, auto weights) { return alpha_vectors(alphas, kinds, weights); },
       training, std::size_t(options.training_blocks), progress);
   return finish<LevelAlphas>(
       blocks, std::move(codes), kPrunedIndex,
-      [&](auto kinds) { return mean_alphas(level, blocks, kinds); }, progress);
+      [&](auto kinds) { return mean_alphas(alphas, kinds); }, progress);
 }
 
 }  // namespace bosk

@@ -1,0 +1,101 @@
+#include "core/compress/rate_distortion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "leafy_billboards.h"
+
+namespace bosk {
+namespace {
+
+using testing::leafy_billboards;
+
+LevelRateDistortion measured(const Billboards& trees, const CompressOptions& options,
+                             bool from_bc3 = false) {
+  Progress quiet;
+  return rate_distortion(trees, compress_billboards(trees, options, quiet), from_bc3, quiet)[0];
+}
+
+TEST(RateDistortion, IsInfiniteWhereNothingIsLost) {
+  const LevelRateDistortion exact = measured(leafy_billboards({.cells = 20}), {});
+  EXPECT_TRUE(std::isinf(exact.colour_psnr_db));
+  EXPECT_TRUE(std::isinf(exact.alpha_psnr_db));
+  EXPECT_EQ(exact.colour_delta_e, 0.0);
+  EXPECT_EQ(exact.alpha_bias, 0.0);
+}
+
+// Two grey levels 51 apart coded by their mean: an error of 25.5 / 255 = 0.1 everywhere, 20 dB; the
+// mean 127.5 is rounded, so one is 26 off. Alpha likewise.
+TEST(RateDistortion, MeasuresAKnownError) {
+  Billboards trees;
+  BillboardLevel& level = trees.levels.emplace_back();
+  level.level = 3;
+  level.views = {0};
+  level.cells = {0, 1, 2, 3};
+  for (const int value : {102, 153, 102, 0}) {
+    for (int i = 0; i < 16; ++i) level.texture.emplace_back(glm::u8vec4(std::uint8_t(value)));
+  }
+  const LevelRateDistortion got = measured(trees, {.colour_codewords = 1, .alpha_codewords = 1});
+  EXPECT_EQ(got.level, 3);
+  EXPECT_EQ(got.blocks, 4u);
+  EXPECT_EQ(got.pruned, 1u);
+  // Alphas 102, 102, 153: mean 119; squares 17^2, 17^2, 34^2
+  EXPECT_NEAR(got.alpha_psnr_db, -10.0 * std::log10((2 * 17.0 * 17.0 + 34.0 * 34.0) / 3 / 65025.0),
+              1e-4);
+  EXPECT_NEAR(got.alpha_bias, 0.0, 1e-7);
+  // Colours by alpha: (2 x 102 x 102 + 153 x 153) / 357 = 123.857, rounded to 124
+  const double square = (2 * 102.0 * 22.0 * 22.0 + 153.0 * 29.0 * 29.0) / 357.0;
+  EXPECT_NEAR(got.colour_psnr_db, -10.0 * std::log10(square / 65025.0), 1e-4);
+  EXPECT_EQ(got.colour_entropy_bits, 0.0);
+  EXPECT_NEAR(got.alpha_entropy_bits, 0.25 * 2 + 0.75 * std::log2(4.0 / 3.0), 1e-12);
+  EXPECT_EQ(got.raw_bytes, 4u * 64u);
+  EXPECT_EQ(got.index_bytes, 1u);  // 3.2 bits
+  EXPECT_EQ(got.codeword_bytes, 16u);
+}
+
+TEST(RateDistortion, FallsWithFewerCodewords) {
+  const Billboards trees = leafy_billboards({.cells = 150});
+  double colour_db = 1e9, alpha_db = 1e9, bits = 99.0;
+  for (const int codewords : {256, 64, 16, 4, 1}) {
+    const auto got = measured(trees, {.colour_codewords = codewords, .alpha_codewords = codewords});
+    EXPECT_LT(got.colour_psnr_db, colour_db);
+    EXPECT_LT(got.alpha_psnr_db, alpha_db);
+    EXPECT_LT(got.colour_entropy_bits, bits);
+    EXPECT_LE(got.colour_entropy_bits, std::log2(double(codewords)));
+    colour_db = got.colour_psnr_db;
+    alpha_db = got.alpha_psnr_db;
+    bits = got.colour_entropy_bits;
+  }
+}
+
+// What emphasis on the mean is for: the error that is left when a billboard is a pixel.
+TEST(RateDistortion, BlockMeanWeightTradesTexelsForMeans) {
+  const Billboards trees = leafy_billboards({.cells = 300});
+  const auto mean_error = [&](double weight) {
+    Progress quiet;
+    const auto textures =
+        compress_billboards(trees, {.alpha_codewords = 64, .block_mean_weight = weight}, quiet);
+    double square = 0.0;
+    for (std::size_t block = 0; block < block_count(trees.levels[0]); ++block) {
+      const BlockTexels truth = block_texels(trees.levels[0], block);
+      const BlockTexels got = decoded_block(textures, textures.atlas_rgba, 0, block);
+      double error = 0.0;
+      for (std::size_t i = 0; i < 16; ++i) error += double(got[i].a) - double(truth[i].a);
+      square += error * error;
+    }
+    return square;
+  };
+  EXPECT_LT(mean_error(4.0), 0.5 * mean_error(0.0));  // measured: 0.24
+}
+
+TEST(RateDistortion, OfBc3IsNoBetter) {
+  const Billboards trees = leafy_billboards({.cells = 60});
+  const CompressOptions options{.colour_codewords = 64, .alpha_codewords = 64};
+  const auto exact = measured(trees, options), bc3 = measured(trees, options, true);
+  EXPECT_LE(bc3.alpha_psnr_db, exact.alpha_psnr_db);
+  EXPECT_EQ(bc3.index_bytes, exact.index_bytes);
+}
+
+}  // namespace
+}  // namespace bosk
