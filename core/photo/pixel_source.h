@@ -62,7 +62,7 @@ class PixelSource {
   static float unit(T value) { return std::clamp(float(value) / float(kTop), 0.0f, 1.0f); }
   static float encoded(T value) {
     if constexpr (kFloat)
-      return srgb_from_linear(std::clamp(value, 0.0f, 1.0f));
+      return std::min(srgb_from_linear(std::max(value, 0.0f)), 1.0f);
     else
       return unit(value);
   }

@@ -82,8 +82,9 @@ glm::vec4 weighted_mean(const Fetch& premultiplied_at, const Taps& columns, cons
 
 glm::vec4 straight_srgb(const glm::vec4& premultiplied_linear) {
   const float weight = std::max(premultiplied_linear.a, 0.5f * kTrace);
-  const glm::vec3 linear = glm::clamp(glm::vec3(premultiplied_linear) / weight, 0.0f, 1.0f);
-  return {srgb_from_linear(linear), std::clamp(premultiplied_linear.a - kTrace, 0.0f, 1.0f)};
+  const glm::vec3 linear = glm::max(glm::vec3(premultiplied_linear) / weight, 0.0f);
+  return {glm::min(srgb_from_linear(linear), 1.0f),
+          std::clamp(premultiplied_linear.a - kTrace, 0.0f, 1.0f)};
 }
 
 using Place = std::optional<glm::dvec2>;

@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -15,7 +16,6 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/random.h"
 #include "tests/base/scratch_folder.h"
 
 namespace bosk {
@@ -32,12 +32,9 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Long enough for any CPU limit; `Random` keeps the compiler from skipping it.
-std::uint64_t spin() {
-  Random random(1);
-  std::uint64_t sum = 0;
-  while (sum != 1) sum = random.bits();
-  return sum;
+[[noreturn]] void spin() {
+  for (std::atomic<int> turns{0};; ++turns) {
+  }
 }
 
 // What the child does, by its first argument.
@@ -47,7 +44,7 @@ std::vector<std::byte> misbehave(const std::vector<std::string>& arguments) {
   if (deed == "big") return std::vector<std::byte>(std::size_t(20) << 20, std::byte(7));
   if (deed == "refuse") throw Error("no, because");
   if (deed == "crash") ::raise(SIGKILL);
-  if (deed == "spin") return bytes_of(std::to_string(spin()));
+  if (deed == "spin") spin();
   if (deed == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
   if (deed == "eat") {
     const auto food = std::make_unique<char[]>(std::size_t(8) << 30);
