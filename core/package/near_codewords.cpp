@@ -1,12 +1,14 @@
 #include "core/package/near_codewords.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace bosk {
 namespace {
 
 constexpr std::uint32_t kWindow = 512;
+constexpr std::size_t kMaxFew = 128;
 using Key = std::uint32_t;  // distance in the high half, codeword's place in the window in the low
 
 // Texel bytes of each codeword side by side: 16 alpha values, or 16 x rgb.
@@ -25,10 +27,11 @@ std::vector<std::uint8_t> codeword_texels(const CodeAtlas& atlas, const CodeRang
   return texels;
 }
 
-template <int kBytes>
-std::uint16_t distance(const std::uint8_t* a, const std::uint8_t* b) {
+// `bytes` is 16 or 48, but not a constant: unrolled, compilers miss the sum-of-differences
+// instruction.
+std::uint16_t distance(const std::uint8_t* a, const std::uint8_t* b, int bytes) {
   int sum = 0;
-  for (int i = 0; i < kBytes; ++i) sum += std::abs(a[i] - b[i]);
+  for (int i = 0; i < bytes; ++i) sum += std::abs(a[i] - b[i]);
   return std::uint16_t(sum);
 }
 
@@ -38,19 +41,34 @@ std::uint32_t count_up_to(std::span<const std::uint16_t> distances, std::uint16_
   return count;
 }
 
-// The smallest distance that at least `wanted` of them do not exceed, by bisection: reading 1025
-// numbers fourteen times is faster here than sorting them in part.
+// A distance that at least `wanted` of them do not exceed, and few more than that where ties allow.
+// By bisection: reading 1025 numbers some ten times is faster here than sorting them in part.
 std::uint16_t limit_of(std::span<const std::uint16_t> distances, std::uint32_t wanted) {
+  constexpr std::uint32_t kFewMore = 16;
   unsigned low = 0, high = 48 * 255;
   while (low < high) {
     const unsigned middle = (low + high) / 2;
-    if (count_up_to(distances, std::uint16_t(middle)) >= wanted) {
+    const std::uint32_t count = count_up_to(distances, std::uint16_t(middle));
+    if (count >= wanted && count <= wanted + kFewMore) return std::uint16_t(middle);
+    if (count >= wanted) {
       high = middle;
     } else {
       low = middle + 1;
     }
   }
   return std::uint16_t(low);
+}
+
+// Sorts a few distinct numbers: each goes where the count of smaller ones says. No branch to
+// mispredict, and compilers vectorise the counting.
+void sort_few(std::span<Key> keys) {
+  std::array<Key, kMaxFew> sorted;
+  for (const Key key : keys) {
+    std::int32_t place = 0;
+    for (const Key other : keys) place += std::int32_t(other) < std::int32_t(key);
+    sorted[std::size_t(place)] = key;
+  }
+  std::copy_n(sorted.begin(), keys.size(), keys.begin());
 }
 
 // The `list.size()` smallest, in order; `first` is the number of the first candidate.
@@ -63,14 +81,17 @@ void select_nearest(std::span<const std::uint16_t> distances, std::uint32_t firs
     keys[kept] = Key(distances[i]) << 16 | Key(i);
     kept += distances[i] <= limit;
   }
-  std::sort(keys.begin(), keys.begin() + std::ptrdiff_t(kept));
+  if (kept <= kMaxFew) {
+    sort_few(std::span(keys).first(kept));
+  } else {
+    std::sort(keys.begin(), keys.begin() + std::ptrdiff_t(kept));
+  }
   for (std::size_t rank = 0; rank < list.size(); ++rank) {
     list[rank] = std::uint16_t(first + (keys[rank] & 0xffff));
   }
 }
 
-template <int kBytes>
-NearCodewords nearest(const std::vector<std::uint8_t>& texels, std::uint32_t count,
+NearCodewords nearest(const std::vector<std::uint8_t>& texels, int bytes, std::uint32_t count,
                       std::uint32_t length) {
   NearCodewords near{count, std::min(length, count), {}};
   near.lists.resize(std::size_t(count) * near.length);
@@ -80,9 +101,10 @@ NearCodewords nearest(const std::vector<std::uint8_t>& texels, std::uint32_t cou
     const std::uint32_t first = codeword > kWindow ? codeword - kWindow : 0;
     const std::uint32_t last = std::min(count, codeword + kWindow + 1);
     distances.resize(last - first);
-    const std::uint8_t* own = texels.data() + std::size_t(codeword) * kBytes;
+    const std::uint8_t* own = texels.data() + std::size_t(codeword) * std::size_t(bytes);
     for (std::uint32_t other = first; other < last; ++other) {
-      distances[other - first] = distance<kBytes>(own, texels.data() + std::size_t(other) * kBytes);
+      distances[other - first] =
+          distance(own, texels.data() + std::size_t(other) * std::size_t(bytes), bytes);
     }
     select_nearest(distances, first, keys,
                    std::span(near.lists).subspan(std::size_t(codeword) * near.length, near.length));
@@ -94,10 +116,10 @@ NearCodewords nearest(const std::vector<std::uint8_t>& texels, std::uint32_t cou
 
 NearCodewords near_codewords(const CodeAtlas& atlas, const CodeRange& codes, CodewordKind kind,
                              std::uint32_t length) {
-  if (kind == CodewordKind::alpha) {
-    return nearest<16>(codeword_texels(atlas, codes, 3, 1), codes.count, length);
-  }
-  return nearest<48>(codeword_texels(atlas, codes, 0, 3), codes.count, length);
+  const int channels = kind == CodewordKind::alpha ? 1 : 3,
+            first = kind == CodewordKind::alpha ? 3 : 0;
+  return nearest(codeword_texels(atlas, codes, first, channels), 16 * channels, codes.count,
+                 length);
 }
 
 }  // namespace bosk
