@@ -17,10 +17,17 @@ constexpr double kRounding =
     1e-14;  // a step as small, relatively, is noise: x is as good as it gets
 constexpr double kHalfPi = 1.57079632679489661923;
 
-double binomial(int n, int k) {
-  double value = 1.0;
-  for (int i = 1; i <= k; ++i) value = value * double(n - k + i) / double(i);
-  return value;
+// Bernstein coefficient j of degree N - 1 is the sum of these times the terms i of the power
+// series.
+template <std::size_t N>
+constexpr std::array<std::array<double, N>, N> bernstein_from_powers() {
+  std::array<std::array<double, N>, N> share{};
+  for (std::size_t j = 0; j < N; ++j) {
+    share[j][0] = 1.0;  // (j over i) / (N - 1 over i)
+    for (std::size_t i = 1; i <= j; ++i)
+      share[j][i] = share[j][i - 1] * double(j - i + 1) / double(N - i);
+  }
+  return share;
 }
 
 // Whether a polynomial on [0, 1], given by its Bernstein coefficients, stays above zero: so it does
@@ -50,10 +57,10 @@ bool positive_up_to(double end, const std::array<double, N>& coefficients) {
     lower_bound += i == 0 ? term[i] : std::min(term[i], 0.0);
   }
   if (lower_bound > 0.0) return true;
+  constexpr auto share = bernstein_from_powers<N>();
   std::array<double, N> bernstein{};
   for (std::size_t j = 0; j < N; ++j)
-    for (std::size_t i = 0; i <= j; ++i)
-      bernstein[j] += binomial(int(j), int(i)) / binomial(int(N) - 1, int(i)) * term[i];
+    for (std::size_t i = 0; i <= j; ++i) bernstein[j] += share[j][i] * term[i];
   return stays_positive(bernstein, 40);
 }
 
@@ -156,7 +163,7 @@ template <class T, class Bend>
 std::optional<T> unbend(const T& target, T x, double tolerance, const Bend& bend) {
   auto here = bend(x);
   for (int i = 0; i < 60 && !here.inside; ++i) here = bend(x = 0.5 * x);
-  for (int i = 0; i < 100 && here.inside; ++i) {
+  for (int i = 0, stuck = 0; i < 100 && here.inside && stuck < 8; ++i) {
     const T miss = target - here.value;
     if (size_of(miss) <= tolerance) return x;
     const T full_step = newton_step(here.slope, miss);
@@ -169,6 +176,7 @@ std::optional<T> unbend(const T& target, T x, double tolerance, const Bend& bend
       there = bend(x + (step = 0.5 * step));
     if (!nearer(there))
       return size_of(full_step) < kRounding * size_of(x) ? std::optional(x) : std::nullopt;
+    if (size_of(target - there.value) > 0.9 * size_of(miss)) ++stuck;  // at the fold
     x = x + step;
     here = there;
   }
