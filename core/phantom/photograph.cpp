@@ -16,7 +16,7 @@
 namespace bosk {
 namespace {
 
-constexpr int kBackgroundRays = 8;
+constexpr float kDistantTreesBelow = 0.35f;  // sine of the elevation
 constexpr float kNoiseVariancePerLight = 2.2e-4f, kNoiseVariance = 1e-6f;
 
 // Where on the plane z = 1 of the camera each pixel looks, one pixel of margin all round. Between
@@ -132,21 +132,22 @@ class Shutter {
   }
 
   glm::vec3 background(int x, int y) const {
-    glm::vec3 sum(0.0f);
     // The sky is smooth within a pixel: one look does.
     const glm::vec3 centre = glm::normalize(direction(x, y, 0, 0, 1));
     const glm::vec3 sky = centre.z > -0.01f ? sky_radiance(studio_.world, centre) : glm::vec3(0.0f);
-    for (int k = 0; k < kBackgroundRays; ++k) {
-      const int i = k, j = (k * 3 + 1) % kBackgroundRays;  // eight that share no row or column
-      sum += behind_tree(glm::normalize(direction(x, y, i, j, kBackgroundRays)), sky);
+    if (centre.z > kDistantTreesBelow) return sky;
+    const int rays = std::abs(centre.z) < 0.15f ? 8 : 4;
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < rays; ++i) {
+      const int j = (3 * i + 1) % rays;  // no two share a row or column
+      sum += behind_tree(glm::normalize(direction(x, y, i, j, rays)), sky);
     }
-    return sum / float(kBackgroundRays);
+    return sum / float(rays);
   }
 
   glm::vec3 behind_tree(const glm::vec3& direction, const glm::vec3& sky) const {
     const World& world = studio_.world;
-    // Distant trees stand low over the horizon.
-    if (std::abs(direction.z) < 0.35f && !world.distant_trees.empty()) {
+    if (std::abs(direction.z) < kDistantTreesBelow && !world.distant_trees.empty()) {
       const RayHit hit = studio_.distant_rays.first_hit(origin_, direction);
       if (hit) {
         const glm::vec3 light =

@@ -14,7 +14,7 @@ namespace {
 constexpr glm::vec3 kHorizon{0.62f, 0.70f, 0.80f};
 constexpr glm::vec3 kZenith{0.13f, 0.26f, 0.58f};
 constexpr glm::vec3 kCloud{0.98f, 0.97f, 0.96f};
-constexpr float kHazeLength = 420.0f;
+constexpr float kHazeLength = 800.0f;
 constexpr float kStickRadius = 0.012f;
 
 // A layer of clouds at unit height, thinning towards the horizon.

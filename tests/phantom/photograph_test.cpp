@@ -94,6 +94,32 @@ TEST(Photograph, PutsACardWhereTheLensModelPutsIt) {
   EXPECT_NEAR(centroid.y, expected->y, 0.06);
 }
 
+TEST(Photograph, PutsABallWhereItsTruthSays) {
+  World world;
+  // Below the ground, where it has no stick.
+  world.markers = {{"red", {214, 24, 24}, {1.2, 10.0, -0.9}, 0.3}};
+  Progress progress;
+  const Studio studio = set_up_studio(card(0.1, -2.0), world, 16, progress);
+  const Camera camera = camera_along_y(60, 40, 100.0);
+  Shot shot = plain_shot();
+  shot.background = true;
+  const Exposure exposure = photograph(studio, camera, shot, progress);
+  glm::dvec2 sum(0.0);
+  double area = 0.0;
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      sum += exposure.in_front(x, y) / 255.0 * glm::dvec2(x, y);
+      area += exposure.in_front(x, y) / 255.0;
+    }
+  }
+  EXPECT_NEAR(area, 28.6,
+              0.6);  // pi (3 px)^2, 1% more for perspective, and the sampling of the rim
+  const auto expected = project(camera, world.markers[0].centre);
+  // The outline of a ball lies 0.015 px further out than its centre; sampling adds some 0.02 px.
+  EXPECT_LT(glm::distance(sum / area, *expected), 0.06);
+  EXPECT_EQ(visible_share(studio, camera, 0), 1.0);
+}
+
 TEST(Photograph, ShowsTheMatteOverBlackWhenThereIsNoBackground) {
   const Studio studio = studio_of(card(1.0, 0.13));
   Progress progress;
