@@ -78,11 +78,10 @@ TEST_P(EveryFormat, ReturnsCamerasThatShareALens) {
   expect_same_cameras(cameras, read_cameras(folder.path() / "made" / "for it"));
 }
 
-TEST_P(EveryFormat, WritesTheSameBytesAgainAfterReading) {
+TEST_P(EveryFormat, ASecondRoundTripChangesNoLens) {
   Random random(4);
   const TemporaryFolder a, b;
-  auto cameras = random_cameras(random, 3, {LensModel::opencv});
-  for (Camera& camera : cameras) camera.camera_from_world.rotation = glm::dmat3(1.0);
+  const auto cameras = random_cameras(random, 3, {LensModel::opencv});
   write_cameras(cameras, GetParam(), a.path());
   write_cameras(read_cameras(a.path()), GetParam(), b.path());
   const auto cameras_in_b = read_cameras(b.path());
