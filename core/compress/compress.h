@@ -15,10 +15,10 @@ namespace bosk {
 struct CompressOptions {
   int colour_codewords = 1024;  // per level, 1 to 4096
   int alpha_codewords = 512;    // per level, 1 to 4096
-  std::string colour_space =
-      "lab_log_chroma";  // where colours are compared: lab, lab_log_chroma, srgb
-  std::string codeword_rule =
-      "centroid";  // what stands for similar blocks: centroid, closest_block
+  // Where colours are compared: lab, lab_log_chroma (see colour_space.h) or srgb.
+  std::string colour_space = "lab_log_chroma";
+  // What stands for similar colour blocks: centroid, or closest_block as in the paper.
+  std::string codeword_rule = "centroid";
   // How much the error of a block's mean colour or opacity counts, next to that of its 16 texels
   // together: from afar a billboard is a pixel or two, and what the mean is off by is all that
   // shows.

@@ -15,34 +15,54 @@ namespace {
 constexpr std::size_t kChunk = 1024;  // blocks summed together, whatever the thread count
 
 struct ErrorSums {
-  double colour_weight = 0, colour_square = 0, delta_e = 0, lightness = 0;
-  double alpha_count = 0, alpha_square = 0, alpha = 0;
+  double colour_weight = 0, colour_square = 0, block_colour_square = 0, delta_e = 0, lightness = 0;
+  double texels = 0, alpha_square = 0, block_alpha_square = 0, alpha = 0;
 
   void add(const ErrorSums& other) {
     colour_weight += other.colour_weight;
     colour_square += other.colour_square;
+    block_colour_square += other.block_colour_square;
     delta_e += other.delta_e;
     lightness += other.lightness;
-    alpha_count += other.alpha_count;
+    texels += other.texels;
     alpha_square += other.alpha_square;
+    block_alpha_square += other.block_alpha_square;
     alpha += other.alpha;
   }
 };
 
-void add_texel(const glm::u8vec4& truth, const glm::u8vec4& decoded, ErrorSums& sums) {
-  const glm::vec4 a = glm::vec4(truth) / 255.0f, b = glm::vec4(decoded) / 255.0f;
-  const double alpha_error = double(b.a) - double(a.a);
-  sums.alpha_count += 1.0;
-  sums.alpha_square += alpha_error * alpha_error;
-  sums.alpha += alpha_error;
-  if (truth.a == 0) return;
-  const double weight = double(a.a);
-  const glm::vec3 difference = glm::vec3(b) - glm::vec3(a);
-  const glm::vec3 lab_difference = lab_from_srgb(glm::vec3(b)) - lab_from_srgb(glm::vec3(a));
+// Colour errors count by alpha: sums of weight and of weight * error, for the block's mean.
+struct ColourError {
+  double weight = 0;
+  glm::dvec3 sum{0.0};
+};
+
+void add_colour(const glm::u8vec4& truth, const glm::u8vec4& decoded, ErrorSums& sums,
+                ColourError& block) {
+  const glm::vec3 a = glm::vec3(truth) / 255.0f, b = glm::vec3(decoded) / 255.0f;
+  const double weight = double(truth.a) / 255.0;
+  const glm::vec3 lab_difference = lab_from_srgb(b) - lab_from_srgb(a);
   sums.colour_weight += weight;
-  sums.colour_square += weight * double(glm::dot(difference, difference)) / 3.0;
+  sums.colour_square += weight * double(glm::dot(b - a, b - a)) / 3.0;
   sums.delta_e += weight * double(glm::length(lab_difference));
   sums.lightness += weight * double(lab_difference.x);
+  block.weight += weight;
+  block.sum += weight * glm::dvec3(b - a);
+}
+
+void add_block(const BlockTexels& truth, const BlockTexels& decoded, ErrorSums& sums) {
+  ColourError colour;
+  double alpha = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error = (double(decoded[i].a) - double(truth[i].a)) / 255.0;
+    alpha += error;
+    sums.alpha_square += error * error;
+    if (truth[i].a > 0) add_colour(truth[i], decoded[i], sums, colour);
+  }
+  sums.texels += 16.0;
+  sums.alpha += alpha;
+  sums.block_alpha_square += alpha * alpha / 16.0;
+  sums.block_colour_square += glm::dot(colour.sum, colour.sum) / (3.0 * colour.weight);
 }
 
 double psnr_db(double square, double count) {
@@ -78,9 +98,8 @@ ErrorSums level_errors(const BillboardLevel& truth, const CodedTextures& texture
     const std::size_t end = std::min(blocks, (chunk + 1) * kChunk);
     for (std::size_t block = chunk * kChunk; block < end; ++block) {
       if (textures.levels[level].alpha_indices[block] == kPrunedIndex) continue;
-      const BlockTexels expected = block_texels(truth, block);
-      const BlockTexels decoded = decoded_block(textures, atlas, level, block);
-      for (std::size_t i = 0; i < 16; ++i) add_texel(expected[i], decoded[i], chunks[chunk]);
+      add_block(block_texels(truth, block), decoded_block(textures, atlas, level, block),
+                chunks[chunk]);
     }
     progress.advance();
   });
@@ -92,10 +111,12 @@ ErrorSums level_errors(const BillboardLevel& truth, const CodedTextures& texture
 LevelRateDistortion summary(const ErrorSums& sums, const CodedLevel& coded) {
   LevelRateDistortion result;
   result.colour_psnr_db = psnr_db(sums.colour_square, sums.colour_weight);
-  result.alpha_psnr_db = psnr_db(sums.alpha_square, sums.alpha_count);
+  result.alpha_psnr_db = psnr_db(sums.alpha_square, sums.texels);
+  result.block_colour_psnr_db = psnr_db(sums.block_colour_square, sums.colour_weight);
+  result.block_alpha_psnr_db = psnr_db(sums.block_alpha_square, sums.texels);
   result.colour_delta_e = sums.delta_e / std::max(sums.colour_weight, 1e-9);
   result.lightness_bias = sums.lightness / std::max(sums.colour_weight, 1e-9);
-  result.alpha_bias = sums.alpha / std::max(sums.alpha_count, 1.0);
+  result.alpha_bias = sums.alpha / std::max(sums.texels, 1.0);
   const auto colours = visible_colours(coded);
   result.blocks = coded.alpha_indices.size();
   result.pruned = result.blocks - colours.size();

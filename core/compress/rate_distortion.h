@@ -17,6 +17,8 @@ struct LevelRateDistortion {
   double colour_psnr_db = 0;  // of encoded sRGB
   double colour_delta_e = 0;  // CIE76, mean
   double alpha_psnr_db = 0;
+  // The same of each block's mean: what is left to see when a block is a pixel.
+  double block_colour_psnr_db = 0, block_alpha_psnr_db = 0;
   // Mean of the decoded minus the true: a bias adds up where billboards overlap.
   double alpha_bias = 0;      // of alpha, 0 to 1
   double lightness_bias = 0;  // of L*

@@ -44,6 +44,9 @@ TEST(RateDistortion, MeasuresAKnownError) {
   EXPECT_NEAR(got.alpha_psnr_db, -10.0 * std::log10((2 * 17.0 * 17.0 + 34.0 * 34.0) / 3 / 65025.0),
               1e-4);
   EXPECT_NEAR(got.alpha_bias, 0.0, 1e-7);
+  EXPECT_NEAR(got.block_alpha_psnr_db, got.alpha_psnr_db,
+              1e-9);  // every texel of a block is off alike
+  EXPECT_NEAR(got.block_colour_psnr_db, got.colour_psnr_db, 1e-4);
   // Colours by alpha: (2 x 102 x 102 + 153 x 153) / 357 = 123.857, rounded to 124
   const double square = (2 * 102.0 * 22.0 * 22.0 + 153.0 * 29.0 * 29.0) / 357.0;
   EXPECT_NEAR(got.colour_psnr_db, -10.0 * std::log10(square / 65025.0), 1e-4);
@@ -69,24 +72,18 @@ TEST(RateDistortion, FallsWithFewerCodewords) {
   }
 }
 
-// What emphasis on the mean is for: the error that is left when a billboard is a pixel.
+// What emphasis on the mean is for: the error that is left when a block is a pixel. Measured: 5.5
+// dB for alpha, 4.0 dB for colour, at a cost of 0.3 and 0.4 dB on the texels.
 TEST(RateDistortion, BlockMeanWeightTradesTexelsForMeans) {
   const Billboards trees = leafy_billboards({.cells = 300});
-  const auto mean_error = [&](double weight) {
-    Progress quiet;
-    const auto textures =
-        compress_billboards(trees, {.alpha_codewords = 64, .block_mean_weight = weight}, quiet);
-    double square = 0.0;
-    for (std::size_t block = 0; block < block_count(trees.levels[0]); ++block) {
-      const BlockTexels truth = block_texels(trees.levels[0], block);
-      const BlockTexels got = decoded_block(textures, textures.atlas_rgba, 0, block);
-      double error = 0.0;
-      for (std::size_t i = 0; i < 16; ++i) error += double(got[i].a) - double(truth[i].a);
-      square += error * error;
-    }
-    return square;
-  };
-  EXPECT_LT(mean_error(4.0), 0.5 * mean_error(0.0));  // measured: 0.24
+  CompressOptions options{.colour_codewords = 64, .alpha_codewords = 64};
+  const auto emphasised = measured(trees, options);
+  options.block_mean_weight = 0.0;
+  const auto plain = measured(trees, options);
+  EXPECT_GT(emphasised.block_alpha_psnr_db, plain.block_alpha_psnr_db + 2.0);
+  EXPECT_GT(emphasised.block_colour_psnr_db, plain.block_colour_psnr_db + 1.0);
+  EXPECT_LT(plain.alpha_psnr_db, emphasised.alpha_psnr_db + 1.0);
+  EXPECT_LT(plain.colour_psnr_db, emphasised.colour_psnr_db + 1.0);
 }
 
 TEST(RateDistortion, OfBc3IsNoBetter) {
