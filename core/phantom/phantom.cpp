@@ -140,16 +140,11 @@ Photos pinhole_photos(const Phantom& phantom) {
   return photos;
 }
 
-Mattes true_mattes(const std::vector<PhantomView>& views) {
-  Mattes mattes;
-  for (const PhantomView& view : views) {
-    Matte matte{view.camera.name, Image<glm::vec4>(view.matte.width(), view.matte.height())};
-    std::transform(view.matte.pixels().begin(), view.matte.pixels().end(),
-                   matte.rgba.pixels().begin(),
-                   [](const glm::u8vec4& pixel) { return glm::vec4(pixel) / 255.0f; });
-    mattes.push_back(std::move(matte));
-  }
-  return mattes;
+Image<glm::vec4> straight_matte(const PhantomView& view) {
+  Image<glm::vec4> rgba(view.matte.width(), view.matte.height());
+  std::transform(view.matte.pixels().begin(), view.matte.pixels().end(), rgba.pixels().begin(),
+                 [](const glm::u8vec4& pixel) { return glm::vec4(pixel) / 255.0f; });
+  return rgba;
 }
 
 }  // namespace bosk

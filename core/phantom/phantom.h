@@ -7,7 +7,6 @@
 
 #include "core/base/progress.h"
 #include "core/image/image.h"
-#include "core/matte/matte.h"
 #include "core/phantom/density.h"
 #include "core/phantom/phantom_options.h"
 #include "core/phantom/scene.h"
@@ -54,9 +53,9 @@ Phantom make_phantom(const PhantomOptions& options, Progress& progress);
 // Error when the folder can't be written.
 void write_phantom(const std::filesystem::path& folder, const Phantom& phantom, Progress& progress);
 
-// Photos and mattes as the stages after import take them. The phantom must have been made with
-// distortion 0.
+// Photos as the stages after import take them. The phantom must have been made with distortion 0.
 Photos pinhole_photos(const Phantom& phantom);
-Mattes true_mattes(const std::vector<PhantomView>& views);
+// A view's matte in floating point: straight sRGB colour and alpha, 0 to 1.
+Image<glm::vec4> straight_matte(const PhantomView& view);
 
 }  // namespace bosk

@@ -168,13 +168,12 @@ TEST(PinholePhotos, CarryThePicturesAndCameras) {
   options.held_out = 0;
   const Phantom phantom = made(options);
   const Photos photos = pinhole_photos(phantom);
-  const Mattes mattes = true_mattes(phantom.photos);
   ASSERT_EQ(photos.size(), 2u);
   EXPECT_EQ(photos[1].name, "001");
   EXPECT_EQ(photos[1].camera.lens.model, LensModel::pinhole);
   EXPECT_EQ(photos[1].srgb.width(), 96);
-  EXPECT_EQ(mattes[1].name, "001");
-  EXPECT_EQ(mattes[1].rgba(48, 64).a, float(phantom.photos[1].matte(48, 64).a) / 255.0f);
+  const Image<glm::vec4> matte = straight_matte(phantom.photos[1]);
+  EXPECT_EQ(matte(48, 64).a, float(phantom.photos[1].matte(48, 64).a) / 255.0f);
 }
 
 }  // namespace
