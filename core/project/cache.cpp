@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <span>
 
@@ -26,12 +28,14 @@ constexpr int kZstdLevel = 1;  // noise hardly packs at any level, and time matt
 
 struct Header {
   std::array<char, 8> magic = kMagic;
+  ContentHash rest;  // of all that follows
   ContentHash key;
   std::uint64_t raw_bytes = 0;
   std::uint64_t chunks = 0;
-  ContentHash rest;
+  double seconds = 0.0;
 };
-static_assert(sizeof(Header) == 56);
+static_assert(sizeof(Header) == 64);
+constexpr std::size_t kUnchecked = offsetof(Header, key);  // bytes before what the checksum covers
 
 std::size_t chunk_count(std::size_t raw_bytes) { return (raw_bytes + kChunk - 1) / kChunk; }
 
@@ -48,7 +52,7 @@ Bytes packed_chunk(std::span<const std::byte> raw) {
   return packed;
 }
 
-Bytes packed_entry(const ContentHash& key, std::span<const std::byte> raw) {
+Bytes packed_entry(const ContentHash& key, std::span<const std::byte> raw, double seconds) {
   std::vector<Bytes> chunks(chunk_count(raw.size()));
   tbb::parallel_for(std::size_t(0), chunks.size(),
                     [&](std::size_t i) { chunks[i] = packed_chunk(chunk_of(raw, i)); });
@@ -62,8 +66,9 @@ Bytes packed_entry(const ContentHash& key, std::span<const std::byte> raw) {
     append(&size, sizeof(size));
   }
   for (const Bytes& chunk : chunks) append(chunk.data(), chunk.size());
-  const Header header{kMagic, key, raw.size(), chunks.size(),
-                      content_hash(std::span(entry).subspan(sizeof(Header)))};
+  Header header{kMagic, {}, key, raw.size(), chunks.size(), seconds};
+  std::memcpy(entry.data(), &header, sizeof(header));
+  header.rest = content_hash(std::span(entry).subspan(kUnchecked));
   std::memcpy(entry.data(), &header, sizeof(header));
   return entry;
 }
@@ -85,14 +90,13 @@ std::vector<std::span<const std::byte>> chunk_table(std::span<const std::byte> r
   return chunks;
 }
 
-Bytes unpacked_entry(const ContentHash& key, std::span<const std::byte> entry) {
+CacheEntry unpacked_entry(const ContentHash& key, std::span<const std::byte> entry) {
   BinaryReader reader(entry);
   const auto header = reader.value<Header>();
-  const auto rest = entry.subspan(sizeof(Header));
   if (header.magic != kMagic || header.key != key) throw Error("not this result");
-  if (content_hash(rest) != header.rest) throw Error("damaged");
+  if (content_hash(entry.subspan(kUnchecked)) != header.rest) throw Error("damaged");
   if (header.chunks != chunk_count(header.raw_bytes)) throw Error("damaged");
-  const auto chunks = chunk_table(rest, header.chunks);
+  const auto chunks = chunk_table(entry.subspan(sizeof(Header)), header.chunks);
   Bytes raw(header.raw_bytes);
   tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t i) {
     const auto target = chunk_of(raw, i);
@@ -100,7 +104,7 @@ Bytes unpacked_entry(const ContentHash& key, std::span<const std::byte> entry) {
         ZSTD_decompress(raw.data() + i * kChunk, target.size(), chunks[i].data(), chunks[i].size());
     if (ZSTD_isError(size) || size != target.size()) throw Error("damaged");
   });
-  return raw;
+  return {std::move(raw), header.seconds};
 }
 
 // Entries of the stage, newest first; ties by name so that the order is settled.
@@ -129,7 +133,7 @@ bool Cache::contains(const std::string& stage, const ContentHash& key) const {
   return !none && size >= sizeof(Header);
 }
 
-std::optional<Bytes> Cache::load(const std::string& stage, const ContentHash& key) const {
+std::optional<CacheEntry> Cache::load(const std::string& stage, const ContentHash& key) const {
   if (!contains(stage, key)) return std::nullopt;
   try {
     const Bytes entry = read_file(path(stage, key), std::numeric_limits<std::int64_t>::max());
@@ -139,12 +143,20 @@ std::optional<Bytes> Cache::load(const std::string& stage, const ContentHash& ke
   }
 }
 
+std::optional<double> Cache::seconds_spent(const std::string& stage, const ContentHash& key) const {
+  Header header;
+  std::ifstream file(path(stage, key), std::ios::binary);
+  file.read(reinterpret_cast<char*>(&header), sizeof(header));
+  if (!file || header.magic != kMagic || header.key != key) return std::nullopt;
+  return header.seconds;
+}
+
 void Cache::store(const std::string& stage, const ContentHash& key,
-                  std::span<const std::byte> result) const {
+                  std::span<const std::byte> result, double seconds) const {
   std::error_code failure;
   fs::create_directories(folder_, failure);
   if (failure) throw system_error(folder_, "created", failure.value());
-  write_file_atomically(path(stage, key), packed_entry(key, result));
+  write_file_atomically(path(stage, key), packed_entry(key, result, seconds));
 }
 
 void Cache::forget_old(const std::string& stage, const ContentHash& key, int keep) const {

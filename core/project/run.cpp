@@ -67,24 +67,21 @@ class Runner {
   void obtain(const Stage& stage) {
     if (stage.is_held(run_.results)) return;
     progress_.check();
-    const auto start = std::chrono::steady_clock::now();
-    if (!load(stage)) {
-      for (const std::string& input : stage.inputs) obtain(stage_named(input));
-      compute(stage);
-      return;
-    }
-    report(stage, start, true);
+    if (load(stage)) return;
+    for (const std::string& input : stage.inputs) obtain(stage_named(input));
+    compute(stage);
   }
 
   bool load(const Stage& stage) {
-    const auto bytes = cache_.load(stage.name, keys_.at(stage.name));
-    if (!bytes) return false;
+    const auto entry = cache_.load(stage.name, keys_.at(stage.name));
+    if (!entry) return false;
     try {
-      read(stage, *bytes);
-      return true;
+      read(stage, entry->result);
     } catch (const Error&) {
       return false;  // an entry that checks out but doesn't read is a miss too
     }
+    run_.times.push_back({stage.name, entry->seconds, true});
+    return true;
   }
 
   void read(const Stage& stage, const std::vector<std::byte>& bytes) {
@@ -98,10 +95,11 @@ class Runner {
     begin_share(stage);
     stage.compute(capture_, recipe_, run_.results, progress_);
     progress_.check();
-    store(stage);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    store(stage, spent.count());
     to_compute_.erase(stage.name);
     let_go_of_inputs(stage);
-    report(stage, start, false);
+    run_.times.push_back({stage.name, spent.count(), false});
   }
 
   void begin_share(const Stage& stage) {
@@ -113,11 +111,11 @@ class Runner {
 
   // The result goes on as it was stored, so that a resumed run and an uninterrupted one agree even
   // where storing rounds.
-  void store(const Stage& stage) {
+  void store(const Stage& stage, double seconds) {
     BinaryWriter writer;
     stage.write(writer, run_.results);
     const ContentHash& key = keys_.at(stage.name);
-    cache_.store(stage.name, key, writer.bytes());
+    cache_.store(stage.name, key, writer.bytes(), seconds);
     cache_.forget_old(stage.name, key, kEntriesKept);
     stage.let_go(run_.results);
     read(stage, writer.bytes());
@@ -133,11 +131,6 @@ class Runner {
           });
       if (!needed) stage_named(input).let_go(run_.results);
     }
-  }
-
-  void report(const Stage& stage, std::chrono::steady_clock::time_point start, bool from_cache) {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    run_.times.push_back({stage.name, spent.count(), from_cache});
   }
 
   const Capture& capture_;
@@ -160,6 +153,17 @@ ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::s
 bool is_finished(const Project& project, const Capture& capture, const std::string& stage) {
   const Cache cache(project.cache_folder());
   return cache.contains(stage, stage_key(capture, project.recipe, stage));
+}
+
+std::vector<StageTime> times_spent(const Project& project, const Capture& capture) {
+  const Cache cache(project.cache_folder());
+  std::vector<StageTime> times;
+  const Keys keys = stage_keys(capture, project.recipe);
+  for (const Stage& stage : stages()) {
+    const auto seconds = cache.seconds_spent(stage.name, keys.at(stage.name));
+    if (seconds) times.push_back({stage.name, *seconds, true});
+  }
+  return times;
 }
 
 Run run_stages(const Project& project, const Capture& capture,

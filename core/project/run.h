@@ -10,7 +10,7 @@
 
 namespace bosk {
 
-// What a stage cost in one run.
+// What a stage cost: in this run, or in the earlier one whose result was taken from the cache.
 struct StageTime {
   std::string stage;
   double seconds = 0.0;
@@ -28,6 +28,9 @@ ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::s
 
 // Whether the result lies in the cache (its content is checked only when it is loaded).
 bool is_finished(const Project& project, const Capture& capture, const std::string& stage);
+
+// What each finished stage took to make; the others are left out.
+std::vector<StageTime> times_spent(const Project& project, const Capture& capture);
 
 // Makes the results of the wanted stages: from the cache where it holds them, else by computing
 // them and what they need, each stored as soon as it is made. Killed and called again, it goes on

@@ -10,6 +10,7 @@
 #include "core/package/writer.h"
 #include "core/project/imported_mattes.h"
 #include "core/project/stored_images.h"
+#include "core/render/level_switch.h"
 
 namespace bosk {
 namespace {
@@ -83,6 +84,12 @@ std::vector<SourceFile> kept(const std::vector<SourceFile>& files,
     if (left_out.count(file.name) == 0) chosen.push_back(file);
   }
   return chosen;
+}
+
+std::vector<Camera> cameras_of(const Photos& views) {
+  std::vector<Camera> cameras;
+  for (const Photo& view : views) cameras.push_back(view.camera);
+  return cameras;
 }
 
 void hash_left_out(ContentHasher& hasher, const Capture& capture) {
@@ -164,7 +171,7 @@ Stage radiance_stage() {
   Stage stage = stage_of("radiance", "Radiance", 60, {"view", "matte", "opacity"});
   stage.options = [](Recipe& recipe) { return describe(recipe.radiance); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    results.radiance = shared(refine_radiance(*results.mattes, *results.views, *results.opacity,
+    results.radiance = shared(refine_radiance(*results.views, *results.mattes, *results.opacity,
                                               recipe.radiance, progress));
   };
   hold<RadianceVolume>(stage, &Results::radiance, write, read_radiance_volume);
@@ -175,10 +182,8 @@ Stage texture_stage() {
   Stage stage = stage_of("texture", "Textures", 15, {"view", "radiance"});
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    std::vector<Camera> cameras;
-    for (const Photo& view : *results.views) cameras.push_back(view.camera);
-    results.billboards =
-        shared(bake_billboards(*results.radiance, cameras, recipe.texture, progress));
+    results.billboards = shared(
+        bake_billboards(*results.radiance, cameras_of(*results.views), recipe.texture, progress));
   };
   hold<Billboards>(stage, &Results::billboards, write, read_billboards);
   return stage;
@@ -209,7 +214,8 @@ Stage pack_stage() {
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());
-    const TreeModel tree = assemble_tree(*results.billboards, *results.textures, metadata);
+    TreeModel tree = assemble_tree(*results.billboards, *results.textures, metadata);
+    set_level_switches(tree, cameras_of(*results.views), progress);
     results.package = shared(package_bytes(tree, progress));
   };
   hold<Bytes>(stage, &Results::package, write_bytes, read_bytes);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+#include "app/console.h"
+#include "app/exit_status.h"
+
+namespace bosk {
+
+// What the command line asks for, to be run once it is parsed.
+struct Request {
+  CommonOptions common;
+  std::function<ExitStatus(Console&)> run;
+};
+
+// Each adds one subcommand, whose parsing fills `request`.
+void add_new_command(CLI::App& app, Request& request);
+void add_stage_commands(CLI::App& app, Request& request);  // matte ... pack
+void add_run_command(CLI::App& app, Request& request);
+void add_render_command(CLI::App& app, Request& request);
+void add_info_command(CLI::App& app, Request& request);
+void add_evaluate_command(CLI::App& app, Request& request);
+void add_phantom_command(CLI::App& app, Request& request);
+void add_export_command(CLI::App& app, Request& request);
+
+// Adds a subcommand with the options that all have. `example` is one full command line.
+CLI::App& add_command(CLI::App& app, Request& request, const std::string& name,
+                      const std::string& description, const std::string& example);
+
+}  // namespace bosk

@@ -1,0 +1,127 @@
+#include "app/evaluation.h"
+
+#include "app/run_summary.h"
+#include "core/base/error.h"
+#include "core/base/system_error.h"
+#include "core/image/image_io.h"
+#include "core/package/reader.h"
+#include "core/photo/camera_files.h"
+#include "core/photo/decode.h"
+#include "core/project/hold_out.h"
+#include "core/render/reference.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+using Picture = Image<glm::u8vec4>;
+
+struct TrueView {
+  Camera camera;
+  Picture picture;
+};
+
+std::string caption_of(const std::string& name, const ViewScore& score) {
+  return name + ": " + number_text(score.psnr, 2) + " dB, SSIM " + number_text(score.ssim, 3);
+}
+
+// Draws the package for each view and scores it.
+void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Console& console) {
+  std::vector<NamedScore> scores;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto& [camera, truth] = views[i];
+    console.progress().scope(double(i) / double(views.size()),
+                             double(i + 1) / double(views.size()));
+    const Picture rendered =
+        rgba8_from_straight(render_tree(evaluation.tree, camera, {}, console.progress()));
+    const ViewScore score = score_view(rendered, truth);
+    scores.push_back({camera.name, score});
+    evaluation.views.push_back({caption_of(camera.name, score), truth, rendered});
+  }
+  evaluation.scores = tabulate(std::move(scores));
+}
+
+void make_package(Evaluation& evaluation, ProjectWork& work, const Capture& capture) {
+  const Run run = work.run(capture, {"pack"});
+  evaluation.package_bytes = run.results.package->size();
+  evaluation.tree = read_tree(*run.results.package, work.project().name());
+  evaluation.times = times_spent(work.project(), capture);
+}
+
+std::vector<TrueView> held_out_views(ProjectWork& work, const std::set<std::string>& names) {
+  // Imported mattes stand alone; those made from strokes need the photos that strokes were drawn on
+  const bool imported = !work.capture().mattes.empty();
+  const Run run =
+      work.run(imported ? with_only(work.capture(), names) : work.capture(), {"view", "matte"});
+  std::vector<TrueView> views;
+  for (std::size_t i = 0; i < run.results.views->size(); ++i) {
+    const Photo& view = (*run.results.views)[i];
+    if (names.count(view.name) == 0) continue;
+    views.push_back({view.camera, rgba8_from_straight((*run.results.mattes)[i].rgba)});
+    views.back().camera.name = view.name;
+  }
+  if (views.empty()) throw Error("none of the photos to hold out could be read");
+  return views;
+}
+
+fs::path picture_of(const std::string& folder, const std::string& name) {
+  return fs::path(folder) / (name + ".png");
+}
+
+Picture read_truth(const fs::path& path, const Camera& camera, const Progress& progress) {
+  const DecodedPhoto photo = decode_photo(path, {}, progress);
+  const Lens& lens = camera.lens;
+  if (!photo.has_alpha() || photo.width_px != lens.width_px || photo.height_px != lens.height_px) {
+    throw Error(printable(path.string()) + ": must be RGBA of its camera's size, " +
+                std::to_string(lens.width_px) + " x " + std::to_string(lens.height_px));
+  }
+  return rgba8_from_straight(straight_of(photo));
+}
+
+std::vector<TrueView> true_views(const std::string& cameras, const std::string& folder,
+                                 Console& console) {
+  std::vector<TrueView> views;
+  for (const Camera& camera : read_cameras(cameras)) {
+    const fs::path path = picture_of(folder, camera.name);
+    if (fs::exists(path)) {
+      views.push_back({camera, read_truth(path, camera, console.progress())});
+    } else {
+      console.warn("camera " + printable(camera.name) + " is passed over: there is no " +
+                   printable(path.string()));
+    }
+  }
+  if (views.empty()) {
+    throw Error(printable(folder) + ": holds no picture named as one of the cameras, such as " +
+                printable(picture_of(folder, read_cameras(cameras).front().name).string()));
+  }
+  return views;
+}
+
+}  // namespace
+
+Evaluation evaluate_held_out(ProjectWork& work, int every, Console& console) {
+  const std::set<std::string> names = held_out_names(work.capture(), every);
+  const std::vector<TrueView> views = held_out_views(work, names);
+  Capture rest = work.capture();
+  rest.left_out = names;
+
+  Evaluation evaluation;
+  evaluation.title = std::to_string(views.size()) + " of " +
+                     std::to_string(work.capture().photos.size()) + " photos held out";
+  make_package(evaluation, work, rest);
+  score_views(evaluation, views, console);
+  return evaluation;
+}
+
+Evaluation evaluate_against(ProjectWork& work, const std::string& cameras,
+                            const std::string& truth_folder, Console& console) {
+  const std::vector<TrueView> views = true_views(cameras, truth_folder, console);
+  Evaluation evaluation;
+  evaluation.title = std::to_string(views.size()) + " views that are not among the " +
+                     std::to_string(work.capture().photos.size()) + " photos";
+  make_package(evaluation, work, work.capture());
+  score_views(evaluation, views, console);
+  return evaluation;
+}
+
+}  // namespace bosk

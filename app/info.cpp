@@ -1,0 +1,148 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/run_summary.h"
+#include "core/base/system_error.h"
+#include "core/package/reader.h"
+#include "core/project/run.h"
+#include "core/project/stages.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::size_t total_codewords(const TreeModel& tree) {
+  std::size_t codewords = 0;
+  for (const TreeLevel& level : tree.levels) {
+    codewords += level.alpha_codes.count + level.colour_codes.count;
+  }
+  return codewords;
+}
+
+std::string level_text(const TreeLevel& level) {
+  const std::size_t textures = level.cells.size() * level.views.size();
+  return "  level " + std::to_string(level.level) + ": " + std::to_string(level.cells.size()) +
+         " cells, " + std::to_string(level.views.size()) + " views, " + std::to_string(textures) +
+         " textures of " + std::to_string(level.texels) + "x" + std::to_string(level.texels) +
+         " texels, for cells up to " + number_text(double(level.max_cell_px), 1) + " px\n";
+}
+
+std::string tree_text(const std::string& file, const TreeModel& tree, std::size_t bytes) {
+  const TreeMetadata& about = tree.metadata;
+  std::string text = printable(file) + ": package of a tree, " + size_text(bytes) + "\n";
+  text += "  name: " + printable(about.name) + "\n";
+  if (!about.licence.empty()) text += "  licence: " + printable(about.licence) + "\n";
+  if (!about.credit.empty()) text += "  credit: " + printable(about.credit) + "\n";
+  text += "  made by: " + printable(about.generator) + " from " +
+          std::to_string(about.photo_count) +
+          " photos\n  height: " + number_text(about.height_m, 2) + " " + printable(about.units) +
+          ", cube of " + number_text(tree.size_m, 2) + " " + printable(about.units) + "\n";
+  for (const TreeLevel& level : tree.levels) text += level_text(level);
+  text += "  codewords: " + std::to_string(total_codewords(tree)) + " in an atlas of " +
+          std::to_string(tree.atlas.width_px) + "x" + std::to_string(tree.atlas.height_px) +
+          " texels\n";
+  return text;
+}
+
+Json level_json(const TreeLevel& level) {
+  return {{"level", level.level},
+          {"cells", level.cells.size()},
+          {"views", level.views.size()},
+          {"texels", level.texels},
+          {"side_factor", level.side_factor},
+          {"max_cell_px", level.max_cell_px},
+          {"colour_codewords", level.colour_codes.count},
+          {"alpha_codewords", level.alpha_codes.count}};
+}
+
+Json tree_json(const TreeModel& tree, std::size_t bytes) {
+  const TreeMetadata& about = tree.metadata;
+  Json levels = Json::array();
+  for (const TreeLevel& level : tree.levels) levels.push_back(level_json(level));
+  return {{"kind", "package"},
+          {"bytes", bytes},
+          {"name", about.name},
+          {"licence", about.licence},
+          {"credit", about.credit},
+          {"generator", about.generator},
+          {"units", about.units},
+          {"height_m", about.height_m},
+          {"photos", about.photo_count},
+          {"origin", {tree.origin.x, tree.origin.y, tree.origin.z}},
+          {"size_m", tree.size_m},
+          {"levels", levels},
+          {"atlas_px", {tree.atlas.width_px, tree.atlas.height_px}}};
+}
+
+void show_package(const std::string& file, Console& console) {
+  const std::vector<std::byte> bytes = load_package_bytes(file);
+  const TreeModel tree = read_tree(bytes, file);
+  console.result(tree_text(file, tree, bytes.size()), tree_json(tree, bytes.size()));
+}
+
+std::string source_text(const std::string& what, const fs::path& path) {
+  return "  " + what + ": " + (path.empty() ? "none" : printable(path.generic_string())) + "\n";
+}
+
+Json options_json(Recipe recipe) {
+  Json all = Json::object();
+  for (const OptionGroup& group : option_groups(recipe)) {
+    for (const Option& option : group.options) {
+      all[group.stage + "." + option.name] = value_text(option);
+    }
+  }
+  return all;
+}
+
+void show_project(const std::string& folder, Console& console) {
+  const Project project = read_project(folder);
+  const Capture capture = gather_capture(project);
+  std::string text = printable(folder) + ": project with " + std::to_string(capture.photos.size()) +
+                     " of " + std::to_string(project.photos.size()) + " photos in use\n" +
+                     source_text("cameras", project.cameras) +
+                     source_text("mattes", project.mattes) +
+                     source_text("strokes", project.scribbles);
+  Json finished = Json::object();
+  for (const Stage& stage : stages()) finished[stage.name] = false;
+  std::string done_text;
+  for (const StageTime& time : times_spent(project, capture)) {
+    done_text += " " + time.stage + " (" + number_text(time.seconds, 1) + " s)";
+    finished[time.stage] = true;
+  }
+  text += "  finished stages:" + (done_text.empty() ? " none" : done_text) + "\n";
+  for (const std::string& remark : capture.remarks) text += "  " + remark + "\n";
+  console.result(text, {{"kind", "project"},
+                        {"photos_given", project.photos.size()},
+                        {"photos_used", capture.photos.size()},
+                        {"cameras", project.cameras.generic_string()},
+                        {"mattes", project.mattes.generic_string()},
+                        {"scribbles", project.scribbles.generic_string()},
+                        {"remarks", capture.remarks},
+                        {"finished", finished},
+                        {"options", options_json(project.recipe)}});
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Request& request) {
+  CLI::App& command = add_command(app, request, "info", "tell what is in a project or a package",
+                                  "bosk info oak.bosk");
+  auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "folder of a project, or a package")->required();
+  command.callback([file, &request] {
+    request.run = [file](Console& console) {
+      if (fs::is_directory(*file)) {
+        show_project(*file, console);
+      } else {
+        show_package(*file, console);
+      }
+      return ExitStatus::done;
+    };
+  });
+}
+
+}  // namespace bosk

@@ -1,0 +1,65 @@
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/project_work.h"
+#include "app/run_summary.h"
+#include "core/base/atomic_file.h"
+#include "core/base/system_error.h"
+#include "core/project/stages.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  std::string folder, output;
+  StageChoices choices;
+};
+
+bool holds(const fs::path& path, const std::vector<std::byte>& bytes) {
+  std::error_code none;
+  return fs::file_size(path, none) == bytes.size() && read_file(path, bytes.size()) == bytes;
+}
+
+ExitStatus run_all(const RunArguments& arguments, Console& console) {
+  ProjectWork work(arguments.folder, arguments.choices, console);
+  const Run run = work.run({"pack"});
+  const std::vector<std::byte>& package = *run.results.package;
+  const fs::path output = arguments.output.empty()
+                              ? work.project().folder / (work.project().name() + ".bosk")
+                              : fs::path(arguments.output);
+  // A file that is right already keeps its time, so that make and its like agree
+  if (!holds(output, package)) write_file_atomically(output, package);
+  console.result(
+      printable(output.string()) + ": " + size_text(package.size()) + times_text(run.times),
+      {{"package", output.string()}, {"bytes", package.size()}, {"stages", times_json(run.times)}});
+  return ExitStatus::done;
+}
+
+void add(CLI::App& app, Request& request, const std::string& name, const std::string& description) {
+  CLI::App& command =
+      add_command(app, request, name, description, "bosk " + name + " oak -o oak.bosk");
+  auto arguments = std::make_shared<RunArguments>();
+  command.add_option("PROJECT", arguments->folder, "folder of the project")->required();
+  command
+      .add_option("-o,--output", arguments->output,
+                  "the package to write (PROJECT/NAME-OF-PROJECT.bosk unless given)")
+      ->type_name("TREE.bosk");
+  add_stage_options(command, stages_up_to("pack"), arguments->choices);
+  command.callback([arguments, &request] {
+    request.run = [arguments](Console& console) { return run_all(*arguments, console); };
+  });
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Request& request) {
+  add(app, request, "pack", "all stages, and the package written (the same as run)");
+  add(app, request, "run", "all stages: from the photos to the package");
+}
+
+}  // namespace bosk

@@ -1,0 +1,190 @@
+#include "core/project/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/phantom/phantom.h"
+#include "core/project/cache.h"
+#include "core/project/new_project.h"
+#include "tests/base/scratch_folder.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A tiny capture on disk, made once.
+class RunStages : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch = new ScratchFolder;
+    PhantomOptions options = tiny_phantom();
+    options.photos = 6;
+    Progress progress;
+    write_phantom(*scratch / "capture", make_phantom(options, progress), progress);
+  }
+  static void TearDownTestSuite() { delete scratch; }
+
+  static Project project_at(const fs::path& capture, const fs::path& folder) {
+    const NewProject wanted{
+        folder, {capture / "photos"}, capture / "transforms.json", capture / "mattes", {}};
+    Recipe recipe;
+    recipe.opacity.finest_level = 5;
+    return make_project(wanted, recipe, true, Progress());
+  }
+  static Project project() { return project_at(*scratch / "capture", *scratch / "project"); }
+
+  static ScratchFolder* scratch;
+};
+ScratchFolder* RunStages::scratch = nullptr;
+
+std::vector<std::string> names_of(const Photos& photos) {
+  std::vector<std::string> names;
+  for (const Photo& photo : photos) names.push_back(photo.name);
+  return names;
+}
+
+bool computed(const Run& run, const std::string& stage) {
+  return std::any_of(run.times.begin(), run.times.end(), [&](const StageTime& time) {
+    return time.stage == stage && !time.from_cache;
+  });
+}
+
+void damage(const fs::path& file) {
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(std::streamoff(fs::file_size(file) / 2));
+  stream.put('\x55').put('\x55');
+}
+
+TEST_F(RunStages, KeysDoNotDependOnPaths) {
+  const Project here = project();
+  fs::copy(*scratch / "capture", *scratch / "elsewhere", fs::copy_options::recursive);
+  const Project there = project_at(*scratch / "elsewhere", *scratch / "deep");
+  Recipe recipe;
+  EXPECT_EQ(stage_key(gather_capture(here), recipe, "pack"),
+            stage_key(gather_capture(there), recipe, "pack"));
+}
+
+TEST_F(RunStages, AnOptionChangesOnlyTheKeysDownstream) {
+  const Capture capture = gather_capture(project());
+  Recipe plain, other;
+  other.radiance.epochs += 1;
+  for (const std::string stage : {"photo", "view", "matte", "opacity"}) {
+    EXPECT_EQ(stage_key(capture, plain, stage), stage_key(capture, other, stage)) << stage;
+  }
+  for (const std::string stage : {"radiance", "texture", "compress", "pack"}) {
+    EXPECT_NE(stage_key(capture, plain, stage), stage_key(capture, other, stage)) << stage;
+  }
+}
+
+TEST_F(RunStages, AnotherMatteChangesTheKeysFromTheMattesOn) {
+  const Capture capture = gather_capture(project());
+  Capture other = capture;
+  other.mattes[2].content.low ^= 1;
+  const Recipe recipe;
+  EXPECT_EQ(stage_key(capture, recipe, "photo"), stage_key(other, recipe, "photo"));
+  EXPECT_NE(stage_key(capture, recipe, "matte"), stage_key(other, recipe, "matte"));
+  EXPECT_NE(stage_key(capture, recipe, "pack"), stage_key(other, recipe, "pack"));
+}
+
+TEST_F(RunStages, PhotosThatAreLeftOutReachNoStage) {
+  const Project project = this->project();
+  Capture capture = gather_capture(project);
+  capture.left_out = {"001", "004"};
+  Progress progress;
+  const Run run = run_stages(project, capture, {"view", "matte"}, progress);
+  const std::vector<std::string> kept = {"000", "002", "003", "005"};
+  EXPECT_EQ(names_of(*run.results.views), kept);
+  ASSERT_EQ(run.results.mattes->size(), kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ((*run.results.mattes)[i].name, kept[i]);
+  }
+  const Capture whole = gather_capture(project);
+  EXPECT_NE(stage_key(whole, project.recipe, "view"), stage_key(capture, project.recipe, "view"));
+  EXPECT_NE(stage_key(whole, project.recipe, "matte"), stage_key(capture, project.recipe, "matte"));
+}
+
+TEST_F(RunStages, TakeWhatIsFinishedFromTheCache) {
+  const Project project = this->project();
+  const Capture capture = gather_capture(project);
+  Progress progress;
+  run_stages(project, capture, {"opacity"}, progress);
+  EXPECT_TRUE(is_finished(project, capture, "opacity"));
+  const Run again = run_stages(project, capture, {"opacity"}, progress);
+  ASSERT_EQ(again.times.size(), 1u);
+  EXPECT_TRUE(again.times[0].from_cache);
+}
+
+TEST_F(RunStages, RecomputeADamagedEntryToTheSameResult) {
+  const Project project = this->project();
+  const Capture capture = gather_capture(project);
+  Progress progress;
+  const Run first = run_stages(project, capture, {"opacity"}, progress);
+  const Cache cache(project.cache_folder());
+  damage(cache.path("opacity", stage_key(capture, project.recipe, "opacity")));
+  damage(cache.path("matte", stage_key(capture, project.recipe, "matte")));
+  const Run second = run_stages(project, capture, {"opacity"}, progress);
+  EXPECT_TRUE(computed(second, "opacity"));
+  EXPECT_TRUE(computed(second, "matte"));
+  EXPECT_FALSE(computed(second, "photo"));
+  EXPECT_EQ(first.results.opacity->extinction, second.results.opacity->extinction);
+}
+
+TEST_F(RunStages, KeepFinishedStagesWhenCancelled) {
+  Project project = this->project();
+  project.folder = *scratch / "cancelled";
+  const Capture capture = gather_capture(this->project());
+  Progress* running = nullptr;
+  Progress progress(
+      [&](const ProgressReport& report) {
+        if (report.phrase == "Opacity") running->cancel();
+      },
+      {});
+  running = &progress;
+  EXPECT_THROW(run_stages(project, capture, {"opacity"}, progress), Cancelled);
+  EXPECT_TRUE(is_finished(project, capture, "matte"));
+  EXPECT_FALSE(is_finished(project, capture, "opacity"));
+}
+
+TEST_F(RunStages, GoOnAfterAKillToTheSameBits) {
+  const Project whole = project();
+  Project broken = whole;
+  broken.folder = *scratch / "broken";
+  const Capture capture = gather_capture(whole);
+  Progress progress;
+  const Run at_once = run_stages(whole, capture, {"matte", "opacity"}, progress);
+  run_stages(broken, capture, {"matte"}, progress);
+  const Run resumed = run_stages(broken, capture, {"matte", "opacity"}, progress);
+  EXPECT_FALSE(computed(resumed, "matte"));
+  EXPECT_EQ(at_once.results.opacity->extinction, resumed.results.opacity->extinction);
+}
+
+TEST_F(RunStages, SayWhatIsMissingWithoutMattesAndStrokes) {
+  Project project = this->project();
+  project.mattes.clear();
+  Progress progress;
+  try {
+    run_stages(project, gather_capture(project), {"matte"}, progress);
+    FAIL() << "made mattes of nothing";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("neither mattes nor strokes"), std::string::npos);
+  }
+}
+
+TEST_F(RunStages, ACaptureWithoutMatchingCamerasIsRefused) {
+  const Project project = this->project();
+  Camera stranger;
+  stranger.name = "unrelated";
+  try {
+    gather_capture(project, {stranger});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("no camera of that name"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bosk
