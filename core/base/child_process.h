@@ -1,16 +1,19 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "core/base/file_descriptor.h"
 #include "core/base/progress.h"
 
 namespace bosk {
 
-// What a child may use. Limits bind the child alone: the decoders of strangers' files crash, hang
-// or eat all memory there instead of here.
+// What one task of a child may use. Limits bind the child alone: the decoders of strangers' files
+// crash, hang or eat all memory there instead of here.
 struct ChildLimits {
   std::uint64_t memory_bytes = std::uint64_t(4) << 30;  // address space, libraries included
   double cpu_s = 30.0;
@@ -32,21 +35,43 @@ struct ChildOutcome {
   std::vector<std::byte> result;
 };
 
-// Runs this very program again (/proc/self/exe) with `mode` as first argument and waits for it.
-// Safe beside any threads, since nothing runs between fork and exec. The program's main() must hand
-// over to serve_as_child when it sees `mode` (for photos: run_child_mode in
-// core/photo/child_mode.h). Throws Cancelled within about 20 ms of the request, with the child
-// gone; Error (resource) when no child can be started.
-ChildOutcome run_self_in_child(const std::string& mode, const std::vector<std::string>& arguments,
-                               const ChildLimits& limits, const Progress& progress);
+// This very program, started again (/proc/self/exe) with `mode` as its first argument, which does
+// one task after another, each in a fork of its own: no task sees another's remains, and the
+// program's hundreds of libraries are loaded once. Safe beside any threads, since nothing of ours
+// runs between fork and exec and the started program has one thread. Its main() must hand over to
+// serve_as_child when it sees `mode` (for photos: run_child_mode in core/photo/child_mode.h). Not
+// for two threads at once; give each its own.
+class ChildServer {
+ public:
+  explicit ChildServer(std::string mode) : mode_(std::move(mode)) {}
+  ChildServer(const ChildServer&) = delete;
+  ChildServer& operator=(const ChildServer&) = delete;
+  ~ChildServer() { stop(); }
 
-// The child's side: takes the command line that run_self_in_child made, applies the limits, and
-// sends what `work` returns or, for an Error, its sentence. Returns the exit status for main().
+  // Starts the program where none is running, and runs one task. Throws Cancelled within about 20
+  // ms of the request, with the child gone; Error (resource) when no child can be started.
+  ChildOutcome run(const std::vector<std::string>& arguments, const ChildLimits& limits,
+                   const Progress& progress);
+
+ private:
+  void start();
+  void stop();
+  ChildOutcome talk(const std::vector<std::string>& arguments, const ChildLimits& limits,
+                    const Progress& progress);
+
+  std::string mode_;
+  pid_t pid_ = -1;
+  FileDescriptor requests_, results_;
+};
+
+// The child's side: takes the command line that ChildServer made, and for each task applies the
+// limits and sends what `work` returns or, for an Error, its sentence. Returns the exit status for
+// main().
 using ChildWork = std::vector<std::byte> (*)(const std::vector<std::string>& arguments);
 int serve_as_child(int argc, char** argv, ChildWork work);
 
-// For work that learns how big its task is: lowers or raises the CPU time the child may use, up to
-// ChildLimits::cpu_s. Counts from the child's start.
+// For work that learns how big its task is: lowers or raises the CPU time of the task, up to
+// ChildLimits::cpu_s.
 void set_child_cpu_limit(double cpu_s);
 
 }  // namespace bosk

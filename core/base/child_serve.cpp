@@ -1,16 +1,17 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <locale>
+#include <cstdlib>
+#include <cstring>
 #include <new>
-#include <optional>
 #include <span>
-#include <sstream>
 
 #include "core/base/child_protocol.h"
 #include "core/base/error.h"
@@ -32,34 +33,73 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 
 rlim_t whole_seconds(double cpu_s) { return rlim_t(std::max(1.0, std::ceil(cpu_s))); }
 
-struct Settings {
-  std::uint64_t memory_bytes = 0;
-  double cpu_s = 0.0;
-  pid_t parent = 0;
-};
-
-std::optional<Settings> parse(const std::string& text) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  Settings settings;
-  if (!(stream >> settings.memory_bytes >> settings.cpu_s >> settings.parent)) return std::nullopt;
-  return settings;
+// Ends with its parent; false when that is gone already.
+bool follow(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  return ::getppid() == parent;
 }
 
-// No files (a pipe is none), no core dumps, bounded memory and time, and an end with the parent's.
-bool enter(const Settings& settings) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != settings.parent) return false;
+// No files (a pipe is none), no core dumps, bounded memory and time.
+void enter(const ChildRequest& request) {
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_FSIZE, 0, 0);
-  limit(RLIMIT_CPU, whole_seconds(settings.cpu_s), whole_seconds(settings.cpu_s) + 1);
-  if (kLimitAddresses) limit(RLIMIT_AS, settings.memory_bytes, settings.memory_bytes);
+  limit(RLIMIT_CPU, whole_seconds(request.cpu_s), whole_seconds(request.cpu_s) + 1);
+  if (kLimitAddresses) limit(RLIMIT_AS, request.memory_bytes, request.memory_bytes);
+}
+
+bool read_exactly(std::span<std::byte> target) {
+  while (!target.empty()) {
+    const ssize_t got = ::read(kChildInput, target.data(), target.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    target = target.subspan(std::size_t(got));
+  }
   return true;
 }
 
-bool send(std::span<const std::byte> bytes) {
+bool send(ChildWord word, std::span<const std::byte> body) {
+  const ChildMessage message{kChildMagic, word, body.size()};
+  return write_to_pipe(kChildPipe, std::as_bytes(std::span(&message, 1))) &&
+         write_to_pipe(kChildPipe, body);
+}
+
+bool refuse(const std::string& reason) {
+  const auto bytes = std::as_bytes(std::span(reason.data(), reason.size()));
+  return send(ChildWord::refused,
+              bytes.first(std::min<std::size_t>(bytes.size(), kMaxReasonBytes)));
+}
+
+bool do_task(const std::vector<std::string>& arguments, ChildWork work) {
+  try {
+    return send(ChildWord::result, work(arguments));
+  } catch (const std::bad_alloc&) {
+    return refuse("more memory is needed than it may use");
+  } catch (const std::exception& error) {
+    return refuse(error.what());
+  }
+}
+
+// Runs the task in a fork and returns how that ended.
+int status_of_fork(const ChildRequest& request, const std::vector<std::string>& arguments,
+                   ChildWork work) {
+  const pid_t server = ::getpid();
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    enter(request);
+    // No destructors: after a damaged file they may crash, and the result has been sent
+    std::_Exit(follow(server) && do_task(arguments, work) ? 0 : 1);
+  }
+  int status = 1 << 8;  // "exited with 1", should fork have failed
+  while (pid > 0 && ::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+bool write_to_pipe(int pipe, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(kChildPipe, bytes.data(), bytes.size());
+    const ssize_t written = ::send(pipe, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     bytes = bytes.subspan(std::size_t(written));
@@ -67,36 +107,38 @@ bool send(std::span<const std::byte> bytes) {
   return true;
 }
 
-int send_message(bool is_result, std::span<const std::byte> body) {
-  const ChildMessage message{kChildMagic, is_result ? 1u : 0u, body.size()};
-  return send(std::as_bytes(std::span(&message, 1))) && send(body) ? 0 : 1;
+std::vector<std::byte> packed(const std::vector<std::string>& arguments) {
+  std::vector<std::byte> bytes;
+  for (const std::string& argument : arguments) {
+    const auto* first = reinterpret_cast<const std::byte*>(argument.c_str());
+    bytes.insert(bytes.end(), first, first + std::strlen(argument.c_str()) + 1);
+  }
+  return bytes;
 }
 
-int refuse(const std::string& reason) {
-  const auto bytes = std::as_bytes(std::span(reason.data(), reason.size()));
-  return send_message(false, bytes.first(std::min<std::size_t>(bytes.size(), kMaxReasonBytes)));
-}
-
-}  // namespace
-
-std::string child_settings_text(const ChildLimits& limits, pid_t parent) {
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  stream << limits.memory_bytes << ' ' << limits.cpu_s << ' ' << parent;
-  return stream.str();
+std::vector<std::string> unpacked(std::span<const std::byte> bytes) {
+  std::vector<std::string> arguments;
+  while (!bytes.empty()) {
+    const auto end = std::find(bytes.begin(), bytes.end(), std::byte(0));
+    const auto size = std::size_t(end - bytes.begin());
+    arguments.emplace_back(reinterpret_cast<const char*>(bytes.data()), size);
+    bytes = bytes.subspan(std::min(size + 1, bytes.size()));
+  }
+  return arguments;
 }
 
 int serve_as_child(int argc, char** argv, ChildWork work) {
-  const auto settings = argc >= 3 ? parse(argv[2]) : std::nullopt;
-  if (!settings || !enter(*settings)) return 2;
-  try {
-    const std::vector<std::byte> result = work({argv + 3, argv + argc});
-    return send_message(true, result);
-  } catch (const std::bad_alloc&) {
-    return refuse("more memory is needed than it may use");
-  } catch (const std::exception& error) {
-    return refuse(error.what());
+  if (argc != 3 || !follow(pid_t(std::atol(argv[2])))) return 2;
+  ChildRequest request;
+  while (read_exactly(std::as_writable_bytes(std::span(&request, 1)))) {
+    if (request.size > kMaxArgumentBytes) return 2;
+    std::vector<std::byte> text(std::size_t(request.size));
+    if (!read_exactly(text)) return 2;
+    const int status = status_of_fork(request, unpacked(text), work);
+    const ChildMessage ended{kChildMagic, ChildWord::ended, std::uint64_t(status)};
+    if (!write_to_pipe(kChildPipe, std::as_bytes(std::span(&ended, 1)))) return 1;
   }
+  return 0;
 }
 
 void set_child_cpu_limit(double cpu_s) {

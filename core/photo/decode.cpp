@@ -55,16 +55,17 @@ bool is_grey(const glm::vec4& pixel) { return pixel.r == pixel.g && pixel.g == p
 
 }  // namespace
 
-DecodedPhoto decode_photo(const fs::path& path, const DecodeLimits& limits,
-                          const Progress& progress) {
+PhotoDecoder::PhotoDecoder(const DecodeLimits& limits) : limits_(limits), child_(kDecodeMode) {}
+
+DecodedPhoto PhotoDecoder::decode(const fs::path& path, const Progress& progress) {
   const PhotoFormat format = format_of(path);
   const std::vector<std::string> arguments{
       fs::absolute(path).string(), std::to_string(int(format)),
-      std::to_string(std::llround(1e6 * limits.max_megapixels))};
-  ChildOutcome outcome = run_self_in_child(kDecodeMode, arguments, limits.child, progress);
+      std::to_string(std::llround(1e6 * limits_.max_megapixels))};
+  ChildOutcome outcome = child_.run(arguments, limits_.child, progress);
   if (outcome.end != ChildEnd::result) throw damaged(path, outcome);
   try {
-    DecodedPhoto photo = decoded_photo(std::move(outcome.result), limits);
+    DecodedPhoto photo = decoded_photo(std::move(outcome.result), limits_);
     photo.format = format;
     if (!is_usual_ending(format, path.extension().string())) {
       photo.notes.push_back("it is a " + name_of(format) + " file whatever its ending says");
@@ -75,10 +76,9 @@ DecodedPhoto decode_photo(const fs::path& path, const DecodeLimits& limits,
   }
 }
 
-std::optional<glm::ivec2> photo_size(const fs::path& path, const DecodeLimits& limits,
-                                     const Progress& progress) {
+std::optional<glm::ivec2> PhotoDecoder::size(const fs::path& path, const Progress& progress) {
   try {
-    const DecodedPhoto photo = decode_photo(path, limits, progress);
+    const DecodedPhoto photo = decode(path, progress);
     return glm::ivec2(photo.width_px, photo.height_px);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_input) throw;
@@ -106,9 +106,8 @@ Image<glm::vec3> srgb_of(const DecodedPhoto& photo) {
   return srgb;
 }
 
-DecodedMatte decode_matte(const fs::path& path, const DecodeLimits& limits,
-                          const Progress& progress) {
-  const DecodedPhoto file = decode_photo(path, limits, progress);
+DecodedMatte PhotoDecoder::decode_matte(const fs::path& path, const Progress& progress) {
+  const DecodedPhoto file = decode(path, progress);
   DecodedMatte matte{straight_of(file), file.has_alpha()};
   if (file.has_alpha()) return matte;
   auto& pixels = matte.rgba.pixels();
@@ -121,6 +120,16 @@ DecodedMatte decode_matte(const fs::path& path, const DecodeLimits& limits,
     pixel = {0.0f, 0.0f, 0.0f, linear ? linear_from_srgb(pixel.r) : pixel.r};
   }
   return matte;
+}
+
+DecodedPhoto decode_photo(const fs::path& path, const DecodeLimits& limits,
+                          const Progress& progress) {
+  return PhotoDecoder(limits).decode(path, progress);
+}
+
+DecodedMatte decode_matte(const fs::path& path, const DecodeLimits& limits,
+                          const Progress& progress) {
+  return PhotoDecoder(limits).decode_matte(path, progress);
 }
 
 }  // namespace bosk

@@ -155,10 +155,13 @@ void make_straight(DecodedPhoto& photo) {
   }
 }
 
-// libjpeg fills what is missing with grey and only mumbles about it.
-void check_complaint(const std::string& complaint, std::vector<std::string>& notes) {
+// What is missing is filled with grey, and the reader only mumbles about it. JPEG has complaints
+// that harm no pixel, such as a few bytes too many.
+void check_complaint(const std::string& complaint, const char* format,
+                     std::vector<std::string>& notes) {
   if (complaint.empty()) return;
   if (OIIO::Strutil::icontains(complaint, "premature end")) throw Error("the file is cut short");
+  if (std::strcmp(format, "jpeg") != 0) throw Error(first_line(complaint));
   notes.push_back("the decoder complained: " + first_line(complaint));
 }
 
@@ -170,7 +173,7 @@ void read_pixels(OIIO::ImageInput& input, DecodedPhoto& photo) {
   if (!input.read_image(0, 0, 0, photo.channels, type_of(photo.kind), photo.pixels.data())) {
     throw Error(first_line(input.geterror()));
   }
-  check_complaint(input.geterror(), photo.notes);
+  check_complaint(input.geterror(), input.format_name(), photo.notes);
 }
 
 // A small header that keeps a decoder busy is an attack; a big photo takes its time.

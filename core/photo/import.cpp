@@ -1,5 +1,6 @@
 #include "core/photo/import.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -153,9 +154,9 @@ Image<glm::vec3> colour_of(const Image<glm::vec4>& rgba) {
 }
 
 void import_one(Imported& result, const CamerasByName& cameras, const PhotoOptions& options,
-                const Progress& progress) {
+                PhotoDecoder& decoder, const Progress& progress) {
   PhotoVerdict& verdict = result.verdict;
-  const DecodedPhoto decoded = decode_photo(verdict.file, decode_limits(options), progress);
+  const DecodedPhoto decoded = decoder.decode(verdict.file, progress);
   verdict.width_px = decoded.width_px;
   verdict.height_px = decoded.height_px;
   verdict.metadata = decoded.metadata;
@@ -234,8 +235,10 @@ PhotoImport import_photos(std::span<const fs::path> files, std::span<const Camer
   reject_doubles(photos);
   reject_without_camera(photos, cameras_by_name);
   progress.begin("Reading photos", photos.size(), 0.1, 1.0);
-  for_each_photo(photos, progress,
-                 [&](Imported& photo) { import_one(photo, cameras_by_name, options, progress); });
+  tbb::enumerable_thread_specific<PhotoDecoder> decoders(decode_limits(options));
+  for_each_photo(photos, progress, [&](Imported& photo) {
+    import_one(photo, cameras_by_name, options, decoders.local(), progress);
+  });
   return gathered(std::move(photos), progress);
 }
 

@@ -51,7 +51,7 @@ PhotoImport import_photos(std::span<const std::filesystem::path> files,
                           std::span<const Camera> cameras, const PhotoOptions& options,
                           Progress& progress);
 
-// The limits that PhotoOptions means: for decode_matte and photo_size.
+// The limits that PhotoOptions means: for a PhotoDecoder beside import_photos.
 DecodeLimits decode_limits(const PhotoOptions& options);
 
 // Width and height, about a pixel count of `megapixels`, of the same shape; the size itself when it

@@ -9,7 +9,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -45,6 +47,16 @@ std::vector<std::byte> misbehave(const std::vector<std::string>& arguments) {
   if (deed == "refuse") throw Error("no, because");
   if (deed == "crash") ::raise(SIGKILL);
   if (deed == "spin") spin();
+  if (deed == "work") {
+    const std::clock_t start = std::clock();
+    while (std::clock() - start < CLOCKS_PER_SEC * 2 / 5) {
+    }
+  }
+  if (deed == "remember") {
+    const bool again = ::getenv("BOSK_TEST_REMAINS") != nullptr;
+    ::setenv("BOSK_TEST_REMAINS", "1", 1);
+    return bytes_of(again ? "again" : "first");
+  }
   if (deed == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
   if (deed == "eat") {
     const auto food = std::make_unique<char[]>(std::size_t(8) << 30);
@@ -56,13 +68,13 @@ std::vector<std::byte> misbehave(const std::vector<std::string>& arguments) {
     file << "trace" << std::flush;
     return bytes_of(file ? "written" : "stopped");
   }
-  if (deed == "nest") run_self_in_child(kMode, {"echo", "x"}, {}, Progress());
+  if (deed == "nest") ChildServer(kMode).run({"echo", "x"}, {}, Progress());
   return {};
 }
 
 ChildOutcome run(const std::vector<std::string>& arguments, const ChildLimits& limits = {}) {
   const Progress quiet;
-  return run_self_in_child(kMode, arguments, limits, quiet);
+  return ChildServer(kMode).run(arguments, limits, quiet);
 }
 
 TEST(ChildProcess, GivesItsResult) {
@@ -122,8 +134,33 @@ TEST(ChildProcess, GoesAwayWhenTheJobIsCancelled) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     progress.cancel();
   });
-  EXPECT_THROW(run_self_in_child(kMode, {"sleep"}, {}, progress), Cancelled);
+  ChildServer server(kMode);
+  EXPECT_THROW(server.run({"sleep"}, {}, progress), Cancelled);
   canceller.join();
+}
+
+TEST(ChildProcess, ServesOnWhateverBecameOfATask) {
+  ChildServer server(kMode);
+  const Progress quiet;
+  for (const char* deed : {"refuse", "crash", "sleep", "big"}) {
+    server.run({deed}, {.wall_s = 0.5, .result_bytes = 1000}, quiet);
+    EXPECT_EQ(text_of(server.run({"echo", deed}, {}, quiet).result), deed);
+  }
+}
+
+TEST(ChildProcess, GivesEachTaskItsOwnCpuTime) {
+  ChildServer server(kMode);
+  const Progress quiet;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(server.run({"work"}, {.cpu_s = 1.0}, quiet).end, ChildEnd::result);
+  }
+}
+
+TEST(ChildProcess, HidesEachTaskFromTheNext) {
+  ChildServer server(kMode);
+  const Progress quiet;
+  EXPECT_EQ(text_of(server.run({"remember"}, {}, quiet).result), "first");
+  EXPECT_EQ(text_of(server.run({"remember"}, {}, quiet).result), "first");
 }
 
 TEST(ChildProcess, ServesManyThreadsAtOnce) {

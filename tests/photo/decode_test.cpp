@@ -19,9 +19,15 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
+// One child for all tests of this file.
+PhotoDecoder& decoder() {
+  static PhotoDecoder one;
+  return one;
+}
+
 DecodedPhoto decode(const std::filesystem::path& path) {
   const Progress quiet;
-  return decode_photo(path, {}, quiet);
+  return decoder().decode(path, quiet);
 }
 
 std::string refusal(const std::filesystem::path& path, const DecodeLimits& limits = {}) {
@@ -205,8 +211,8 @@ TEST(PhotoSize, IsThatOfTheFileOrNone) {
   const ScratchFolder folder;
   const Progress quiet;
   ASSERT_TRUE(write_photo(folder / "a.png", {}));
-  EXPECT_EQ(photo_size(folder / "a.png", {}, quiet), glm::ivec2(40, 30));
-  EXPECT_EQ(photo_size(folder / "b.png", {}, quiet), std::nullopt);
+  EXPECT_EQ(decoder().size(folder / "a.png", quiet), glm::ivec2(40, 30));
+  EXPECT_EQ(decoder().size(folder / "b.png", quiet), std::nullopt);
 }
 
 TEST(DecodeMatte, TakesAlphaFromOneChannelOrFromRgba) {
@@ -217,13 +223,13 @@ TEST(DecodeMatte, TakesAlphaFromOneChannelOrFromRgba) {
   ASSERT_TRUE(write_photo(folder / "rgba.png",
                           {.channels = 4, .straight_alpha = true, .value = half_clear}));
   for (const char* name : {"grey.png", "grey.exr"}) {
-    const DecodedMatte matte = decode_matte(folder / name, {}, quiet);
+    const DecodedMatte matte = decoder().decode_matte(folder / name, quiet);
     EXPECT_FALSE(matte.has_colour);
     // Half a step of 16 bits, and single precision through the sRGB curve and back
     EXPECT_NEAR(matte.rgba(9, 3).a, 15.0f / 255.0f, 1e-5f) << name;
     EXPECT_EQ(matte.rgba(9, 3).r, 0.0f);
   }
-  const DecodedMatte rgba = decode_matte(folder / "rgba.png", {}, quiet);
+  const DecodedMatte rgba = decoder().decode_matte(folder / "rgba.png", quiet);
   EXPECT_TRUE(rgba.has_colour);
   EXPECT_NEAR(rgba.rgba(9, 3).a, 128.0f / 255.0f, 1e-6f);
   EXPECT_NEAR(rgba.rgba(9, 3).g, 22.0f / 255.0f, 1e-6f);
@@ -235,8 +241,9 @@ TEST(DecodeMatte, RefusesColourWithoutAlphaButTakesGreyRgb) {
   const auto grey = [](int x, int, int) { return float(x) / 255.0f; };
   ASSERT_TRUE(write_photo(folder / "grey.png", {.value = grey}));
   ASSERT_TRUE(write_photo(folder / "colour.png", {}));
-  EXPECT_NEAR(decode_matte(folder / "grey.png", {}, quiet).rgba(5, 5).a, 5.0f / 255.0f, 1e-6f);
-  EXPECT_THROW(decode_matte(folder / "colour.png", {}, quiet), Error);
+  EXPECT_NEAR(decoder().decode_matte(folder / "grey.png", quiet).rgba(5, 5).a, 5.0f / 255.0f,
+              1e-6f);
+  EXPECT_THROW(decoder().decode_matte(folder / "colour.png", quiet), Error);
 }
 
 // The child has read a stranger's file: the parent believes nothing that doesn't add up.
