@@ -68,8 +68,9 @@ fs::path picture_of(const std::string& folder, const std::string& name) {
   return fs::path(folder) / (name + ".png");
 }
 
-Picture read_truth(const fs::path& path, const Camera& camera, const Progress& progress) {
-  const DecodedPhoto photo = decode_photo(path, {}, progress);
+Picture read_truth(const fs::path& path, const Camera& camera, PhotoDecoder& decoder,
+                   const Progress& progress) {
+  const DecodedPhoto photo = decoder.decode(path, progress);
   const Lens& lens = camera.lens;
   if (!photo.has_alpha() || photo.width_px != lens.width_px || photo.height_px != lens.height_px) {
     throw Error(printable(path.string()) + ": must be RGBA of its camera's size, " +
@@ -81,10 +82,11 @@ Picture read_truth(const fs::path& path, const Camera& camera, const Progress& p
 std::vector<TrueView> true_views(const std::string& cameras, const std::string& folder,
                                  Console& console) {
   std::vector<TrueView> views;
+  PhotoDecoder decoder;
   for (const Camera& camera : read_cameras(cameras)) {
     const fs::path path = picture_of(folder, camera.name);
     if (fs::exists(path)) {
-      views.push_back({camera, read_truth(path, camera, console.progress())});
+      views.push_back({camera, read_truth(path, camera, decoder, console.progress())});
     } else {
       console.warn("camera " + printable(camera.name) + " is passed over: there is no " +
                    printable(path.string()));

@@ -1,5 +1,6 @@
 #include "core/project/imported_mattes.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -32,9 +33,9 @@ struct FittedMatte {
   bool has_colour = false;
 };
 
-FittedMatte fitted_matte(const SourceFile& file, const Photo& photo, const DecodeLimits& limits,
+FittedMatte fitted_matte(const SourceFile& file, const Photo& photo, PhotoDecoder& decoder,
                          const Progress& progress) {
-  const DecodedMatte matte = decode_matte(file.path, limits, progress);
+  const DecodedMatte matte = decoder.decode_matte(file.path, progress);
   try {
     return {undistort_rgba(matte.rgba, photo.original_camera, photo.camera), matte.has_colour};
   } catch (const Error& error) {
@@ -56,10 +57,11 @@ void require_something(const SourceFile& file, const Image<glm::vec4>& rgba) {
 std::vector<FittedMatte> fitted_mattes(const std::vector<SourceFile>& files, const Photos& photos,
                                        const DecodeLimits& limits, Progress& progress) {
   std::vector<FittedMatte> mattes(photos.size());
+  tbb::enumerable_thread_specific<PhotoDecoder> decoders(limits);
   progress.begin("Reading mattes", photos.size(), 0.0, 0.6);
   tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
     const SourceFile& file = matte_file(files, photos[i]);
-    mattes[i] = fitted_matte(file, photos[i], limits, progress);
+    mattes[i] = fitted_matte(file, photos[i], decoders.local(), progress);
     require_something(file, mattes[i].rgba);
     progress.advance();
   });

@@ -104,6 +104,11 @@ void read_fields(const Json& json, Project& project) {
 
 }  // namespace
 
+fs::path Project::absolute(const fs::path& path) const {
+  // Without resolving "..", as the system would: FOLDER/../photos needs no FOLDER then
+  return (fs::weakly_canonical(fs::absolute(folder)) / path).lexically_normal();
+}
+
 std::string Project::name() const {
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const fs::path last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();

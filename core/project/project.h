@@ -19,7 +19,8 @@ struct Project {
   std::filesystem::path scribbles;  // folder
   Recipe recipe;
 
-  std::filesystem::path absolute(const std::filesystem::path& path) const { return folder / path; }
+  // Where a path of the project is, also before the folder is made.
+  std::filesystem::path absolute(const std::filesystem::path& path) const;
   std::filesystem::path cache_folder() const { return folder / "cache"; }
   // The folder's own name: what the tree is called unless the recipe says otherwise.
   std::string name() const;

@@ -47,7 +47,7 @@ std::vector<std::string> names_of(const Photos& photos) {
   return names;
 }
 
-bool computed(const Run& run, const std::string& stage) {
+bool computed(const bosk::Run& run, const std::string& stage) {
   return std::any_of(run.times.begin(), run.times.end(), [&](const StageTime& time) {
     return time.stage == stage && !time.from_cache;
   });
@@ -95,7 +95,7 @@ TEST_F(RunStages, PhotosThatAreLeftOutReachNoStage) {
   Capture capture = gather_capture(project);
   capture.left_out = {"001", "004"};
   Progress progress;
-  const Run run = run_stages(project, capture, {"view", "matte"}, progress);
+  const auto run = run_stages(project, capture, {"view", "matte"}, progress);
   const std::vector<std::string> kept = {"000", "002", "003", "005"};
   EXPECT_EQ(names_of(*run.results.views), kept);
   ASSERT_EQ(run.results.mattes->size(), kept.size());
@@ -113,7 +113,7 @@ TEST_F(RunStages, TakeWhatIsFinishedFromTheCache) {
   Progress progress;
   run_stages(project, capture, {"opacity"}, progress);
   EXPECT_TRUE(is_finished(project, capture, "opacity"));
-  const Run again = run_stages(project, capture, {"opacity"}, progress);
+  const auto again = run_stages(project, capture, {"opacity"}, progress);
   ASSERT_EQ(again.times.size(), 1u);
   EXPECT_TRUE(again.times[0].from_cache);
 }
@@ -122,11 +122,11 @@ TEST_F(RunStages, RecomputeADamagedEntryToTheSameResult) {
   const Project project = this->project();
   const Capture capture = gather_capture(project);
   Progress progress;
-  const Run first = run_stages(project, capture, {"opacity"}, progress);
+  const auto first = run_stages(project, capture, {"opacity"}, progress);
   const Cache cache(project.cache_folder());
   damage(cache.path("opacity", stage_key(capture, project.recipe, "opacity")));
   damage(cache.path("matte", stage_key(capture, project.recipe, "matte")));
-  const Run second = run_stages(project, capture, {"opacity"}, progress);
+  const auto second = run_stages(project, capture, {"opacity"}, progress);
   EXPECT_TRUE(computed(second, "opacity"));
   EXPECT_TRUE(computed(second, "matte"));
   EXPECT_FALSE(computed(second, "photo"));
@@ -155,9 +155,9 @@ TEST_F(RunStages, GoOnAfterAKillToTheSameBits) {
   broken.folder = *scratch / "broken";
   const Capture capture = gather_capture(whole);
   Progress progress;
-  const Run at_once = run_stages(whole, capture, {"matte", "opacity"}, progress);
+  const auto at_once = run_stages(whole, capture, {"matte", "opacity"}, progress);
   run_stages(broken, capture, {"matte"}, progress);
-  const Run resumed = run_stages(broken, capture, {"matte", "opacity"}, progress);
+  const auto resumed = run_stages(broken, capture, {"matte", "opacity"}, progress);
   EXPECT_FALSE(computed(resumed, "matte"));
   EXPECT_EQ(at_once.results.opacity->extinction, resumed.results.opacity->extinction);
 }
