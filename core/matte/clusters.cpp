@@ -72,22 +72,34 @@ bool lloyd_round(const std::vector<glm::vec3>& lab, std::vector<glm::vec3>& cent
 Clustering summarise(const std::vector<glm::vec3>& lab, const std::vector<int>& of,
                      std::size_t count, float least_variance) {
   std::vector<glm::dvec3> sum(count, glm::dvec3(0.0));
-  std::vector<double> square(count, 0.0);
+  std::vector<std::array<double, 6>> square(count);
   std::vector<int> members(count, 0), new_index(count, -1);
   for (std::size_t i = 0; i < lab.size(); ++i) {
     const auto c = std::size_t(of[i]);
-    sum[c] += lab[i];
-    square[c] += glm::dot(glm::dvec3(lab[i]), glm::dvec3(lab[i]));
+    const glm::dvec3 v = lab[i];
+    sum[c] += v;
+    const std::array<double, 6> products{v.x * v.x, v.y * v.x, v.y * v.y,
+                                         v.z * v.x, v.z * v.y, v.z * v.z};
+    for (std::size_t k = 0; k < 6; ++k) square[c][k] += products[k];
     ++members[c];
   }
   Clustering result;
   for (std::size_t c = 0; c < count; ++c) {
     if (members[c] == 0) continue;
-    const glm::dvec3 mean = sum[c] / double(members[c]);
-    const double variance = (square[c] / members[c] - glm::dot(mean, mean)) / 3.0;
+    const glm::dvec3 m = sum[c] / double(members[c]);
+    const std::array<double, 6> mean_products{m.x * m.x, m.y * m.x, m.y * m.y,
+                                              m.z * m.x, m.z * m.y, m.z * m.z};
+    ColourCluster cluster;
+    cluster.lab = glm::vec3(m);
+    for (std::size_t k = 0; k < 6; ++k)
+      cluster.covariance[k] = float(square[c][k] / members[c] - mean_products[k]);
+    cluster.variance =
+        std::max((cluster.covariance[0] + cluster.covariance[2] + cluster.covariance[5]) / 3.0f,
+                 least_variance);
+    for (const std::size_t k : {0u, 2u, 5u}) cluster.covariance[k] += least_variance;
+    cluster.share = float(members[c]) / float(lab.size());
     new_index[c] = int(result.clusters.size());
-    result.clusters.push_back({glm::vec3(mean), std::max(float(variance), least_variance),
-                               float(members[c]) / float(lab.size())});
+    result.clusters.push_back(cluster);
   }
   for (const int c : of) result.cluster_of_sample.push_back(new_index[std::size_t(c)]);
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -8,8 +9,9 @@ namespace bosk {
 // A ball of similar colours in CIELab.
 struct ColourCluster {
   glm::vec3 lab{0.0f};
-  float variance = 0.0f;  // per axis
-  float share = 0.0f;     // of all samples
+  float variance = 0.0f;              // per axis
+  std::array<float, 6> covariance{};  // lower triangle: xx, yx yy, zx zy zz
+  float share = 0.0f;                 // of all samples
 };
 
 struct Clustering {

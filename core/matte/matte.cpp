@@ -2,80 +2,150 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
 #include "core/image/colour.h"
-#include "core/matte/alpha.h"
 #include "core/matte/clean_alpha.h"
-#include "core/matte/exposure.h"
 #include "core/matte/foreground.h"
+#include "core/matte/hull.h"
+#include "core/matte/local_alpha.h"
+#include "core/matte/study.h"
 
 namespace bosk {
 namespace {
 
-constexpr std::size_t kRowSteps = 3;  // Lab, alpha and foreground each count the rows of a photo
+constexpr std::size_t kRowSteps =
+    4;  // CIELab, alpha, its refinement and the foreground count a photo's rows
+constexpr std::size_t kStudyRows = 1500;  // about, of the samples of one photo
+constexpr double kWorseFit = 4.0;  // natural logarithm, mean per pixel, below the teacher's own fit
+constexpr float kStrangeGain =
+    3.0f;  // a factor in linear light that a session's photos rarely differ by
+constexpr double kNothing = 2e-4,
+                 kAll = 0.98;  // mean alpha of a photo that shows no tree, or nothing else
 
-struct ScribbledPhoto {
-  const Photo* photo = nullptr;
-  StrokeModel model;
-};
-
-Image<glm::vec3> linear_light(const Image<glm::vec3>& srgb) {
+Image<glm::vec3> linear_light(const Image<glm::vec3>& srgb, const Progress& progress) {
   Image<glm::vec3> linear(srgb.width(), srgb.height());
-  tbb::parallel_for(std::size_t(0), srgb.size(),
-                    [&](std::size_t i) { linear.data()[i] = linear_from_srgb(srgb.data()[i]); });
+  tbb::parallel_for(0, srgb.height(), [&](int y) {
+    progress.check();
+    for (int x = 0; x < srgb.width(); ++x) linear(x, y) = linear_from_srgb(srgb(x, y));
+  });
   return linear;
 }
 
-Matte with_foreground(const Photo& photo, const Image<float>& alpha, Progress& progress) {
-  const Image<glm::vec3> front = estimate_foreground(linear_light(photo.srgb), alpha, progress);
-  Matte matte{photo.name, {alpha.width(), alpha.height()}};
-  tbb::parallel_for(std::size_t(0), alpha.size(), [&](std::size_t i) {
-    matte.rgba.data()[i] = glm::vec4(srgb_from_linear(front.data()[i]), alpha.data()[i]);
+Matte matte_from_linear(const std::string& name, const Image<glm::vec3>& linear,
+                        const Image<float>& alpha, Progress& progress) {
+  const Image<glm::vec3> front = estimate_foreground(linear, alpha, progress);
+  Matte matte{name, {alpha.width(), alpha.height()}};
+  tbb::parallel_for(0, alpha.height(), [&](int y) {
+    progress.check();
+    for (int x = 0; x < alpha.width(); ++x) {
+      matte.rgba(x, y) = glm::vec4(srgb_from_linear(front(x, y)), alpha(x, y));
+    }
   });
   return matte;
 }
 
-std::vector<ScribbledPhoto> learn(const Photos& photos, const Scribbles& scribbles,
-                                  const MatteOptions& options, Progress& progress) {
-  std::vector<ScribbledPhoto> learnt;
-  for (const Photo& photo : photos) {
-    const auto strokes = scribbles.find(photo.name);
-    if (strokes == scribbles.end()) continue;
-    require_both_kinds(strokes->second, "strokes for " + photo.name);
-    const LabPlanes lab = lab_planes(photo.srgb, glm::vec3(1.0f), progress);
-    learnt.push_back({&photo, learn_strokes(lab, strokes->second, options)});
+void warn_of_fit(const Photo& photo, const Study& study, Progress& progress) {
+  if (study.teacher->photo == &photo) return;
+  const float most = std::max({study.gain.r, study.gain.g, study.gain.b});
+  const float least = std::min({study.gain.r, study.gain.g, study.gain.b});
+  const std::string remedy =
+      "; look at its matte and, if it is wrong, draw a few strokes over this photo too";
+  if (most > kStrangeGain || least < 1.0f / kStrangeGain) {
+    progress.warn("photo " + photo.name + " is exposed very differently from the scribbled photo " +
+                  study.teacher->photo->name + remedy);
+  } else if (study.likelihood < study.teacher->likelihood - kWorseFit) {
+    progress.warn("photo " + photo.name + " has colours that the strokes over " +
+                  study.teacher->photo->name + " do not cover" + remedy);
   }
-  if (learnt.empty())
-    throw Error("no photo has strokes; draw some over one photo, or import mattes");
-  return learnt;
 }
 
-Matte matte_photo(const Photo& photo, const ScribbledPhoto& teacher, const MatteOptions& options,
-                  Progress& progress) {
-  const bool own = teacher.photo == &photo;
-  const glm::vec3 gain = own ? glm::vec3(1.0f) : exposure_gain(photo.srgb, teacher.photo->srgb);
-  const LabPlanes lab = lab_planes(photo.srgb, gain, progress);
-  const double sigma = own ? options.position_sigma : options.transfer_sigma;
-  AlphaEstimate estimate =
-      estimate_alpha(lab, teacher.model, {}, {options.mixing, float(sigma)}, progress);
-  stretch_ends(estimate.alpha, float(options.clear_below), float(options.opaque_above));
-  return with_foreground(photo, estimate.alpha, progress);
+void warn_of_result(const Photo& photo, const Image<float>& alpha, Progress& progress) {
+  double sum = 0.0;
+  for (const float value : alpha.pixels()) sum += value;
+  const double mean = sum / double(std::max<std::size_t>(1, alpha.size()));
+  if (mean < kNothing) {
+    progress.warn("photo " + photo.name +
+                  ": the matte is clear everywhere; draw white strokes over the tree in this "
+                  "photo, or leave it out");
+  } else if (mean > kAll) {
+    progress.warn("photo " + photo.name +
+                  ": the matte is opaque everywhere; draw black strokes over the background in "
+                  "this photo, or leave it out");
+  }
+}
+
+Image<std::uint8_t> strokes_of(const Photo& photo, const Scribbles& scribbles) {
+  const auto found = scribbles.find(photo.name);
+  return found == scribbles.end() ? Image<std::uint8_t>() : found->second;
+}
+
+std::size_t rows_of_scribbled(const Photos& photos, const Scribbles& scribbles) {
+  std::size_t rows = 0;
+  for (const Photo& photo : photos)
+    rows += scribbles.contains(photo.name) ? std::size_t(photo.srgb.height()) : 0;
+  return rows;
+}
+
+std::vector<Study> study_all(const Photos& photos, const Scribbles& scribbles,
+                             const std::vector<Teacher>& teachers, const MatteOptions& options,
+                             Progress& progress) {
+  std::vector<Study> studies;
+  for (const Photo& photo : photos) {
+    const double share = 0.2 / double(photos.size()), done = double(studies.size());
+    progress.begin("Finding the tree in " + photo.name, kStudyRows, 0.1 + share * done,
+                   0.1 + share * (done + 1));
+    studies.push_back(
+        study_photo(photo, strokes_of(photo, scribbles), teachers, options, progress));
+    warn_of_fit(photo, studies.back(), progress);
+  }
+  return studies;
+}
+
+void require_pixels(const Photos& photos) {
+  for (const Photo& photo : photos) {
+    if (photo.srgb.empty())
+      throw Error("photo " + photo.name + " has no pixels to matte; add the photo itself");
+  }
+}
+
+Matte matte_photo(const Photo& photo, const Study& study, const Image<float>& hull_tilt,
+                  const MatteOptions& options, Progress& progress) {
+  Image<float> alpha = alpha_of_photo(photo, study, hull_tilt, options, progress);
+  const Image<glm::vec3> linear = linear_light(photo.srgb, progress);
+  refine_locally(linear, float(options.local_caution), alpha, progress);
+  stretch_ends(alpha, float(options.clear_below), float(options.opaque_above));
+  warn_of_result(photo, alpha, progress);
+  return matte_from_linear(photo.name, linear, alpha, progress);
 }
 
 }  // namespace
 
+Matte matte_from_alpha(const Photo& photo, const Image<float>& alpha, Progress& progress) {
+  return matte_from_linear(photo.name, linear_light(photo.srgb, progress), alpha, progress);
+}
+
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress) {
-  const auto learnt = learn(photos, scribbles, options, progress);
+  require_pixels(photos);
+  const double share = 1.0 / double(std::max<std::size_t>(1, photos.size()));
+  progress.begin("Colours of the strokes", rows_of_scribbled(photos, scribbles), 0.0, 0.1);
+  const auto teachers = learn_from_scribbles(photos, scribbles, options, progress);
+  if (teachers.empty())
+    throw Error("no photo has strokes; draw some over one photo, or import mattes");
+  const auto studies = study_all(photos, scribbles, teachers, options, progress);
+  std::vector<Image<float>> means;
+  for (const Study& study : studies) means.push_back(study.mean_alpha);
+  auto hull = hull_tilts(photos, means, float(options.hull_weight), progress);
+  hull.resize(photos.size());
   Mattes mattes;
-  for (const Photo& photo : photos) {
-    const ScribbledPhoto* teacher = &learnt.front();
-    for (const ScribbledPhoto& candidate : learnt) {
-      if (candidate.photo == &photo) teacher = &candidate;
-    }
-    progress.begin("Matte of " + photo.name, kRowSteps * std::size_t(photo.srgb.height()),
-                   double(mattes.size()) / double(photos.size()),
-                   double(mattes.size() + 1) / double(photos.size()));
-    mattes.push_back(matte_photo(photo, *teacher, options, progress));
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    progress.begin("Matte of " + photos[i].name, kRowSteps * std::size_t(photos[i].srgb.height()),
+                   0.3 + 0.7 * share * double(i), 0.3 + 0.7 * share * double(i + 1));
+    mattes.push_back(matte_photo(photos[i], studies[i], hull[i], options, progress));
   }
   return mattes;
 }

@@ -23,20 +23,32 @@ struct Matte {
 using Mattes = std::vector<Matte>;  // in the order of the photos
 
 struct MatteOptions {
-  int clusters = 8;              // colours per side, 1 to 32
-  std::string mixing = "curve";  // where leaf and background mix: curve, lab, srgb, linear
-  double position_sigma = 0.06;  // reach of a stroke, as a fraction of the image diagonal
-  double transfer_sigma = 0.12;  // the same, in photos that have no strokes of their own
-  double clear_below = 0.03;     // alpha below is set to 0
-  double opaque_above = 0.97;    // alpha above is set to 1
+  int clusters = 8;              // colours per kind of stroke, 1 to 32
+  std::string mixing = "curve";  // where leaf and background mix: curve, lab, srgb
+  double position_sigma = 0.1;   // reach of a stroke's colours, as a fraction of the image diagonal
+  double transfer_sigma = 0.15;  // the same, in photos that have no strokes of their own
+  double position_weight = 2.0;  // how much a place near strokes of one kind favours that kind
+  double region_sigma = 0.03;    // reach of the surroundings, as a fraction of the image diagonal
+  double region_weight = 3.0;    // how much tree or background all around favours the same
+  double hull_weight = 1.0;  // how much the other photos, through their cameras, say "not the tree"
+  double local_caution =
+      5.0;  // half-covered pixels: 0 trusts the colours close by, large ignores them
+  double clear_below = 0.03;   // alpha below becomes 0
+  double opaque_above = 0.97;  // alpha above becomes 1
 };
 Options describe(MatteOptions& options);
 
 // Alpha and pure foreground colour of every photo. A photo without strokes of its own is matted
-// with the colours learnt from a scribbled photo. Throws Error when no photo has strokes or the
-// strokes of one are of a single kind.
+// with the colours learnt from the scribbled photo that fits it best; a warning says which fit
+// badly. Where the cameras look at the tree from around, what only some photos hold for tree is
+// doubted. Throws Error when no photo has strokes, when the strokes of one are of a single kind or
+// of another size than the photo.
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress);
+
+// The matte of a photo whose alpha is known: adds the foreground's colour, estimated from the
+// photo. Progress counts the photo's rows.
+Matte matte_from_alpha(const Photo& photo, const Image<float>& alpha, Progress& progress);
 
 void write(BinaryWriter& writer, const Mattes& mattes);
 Mattes read_mattes(BinaryReader& reader);

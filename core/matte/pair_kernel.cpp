@@ -3,98 +3,137 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace bosk {
 namespace {
 
-// Constants of a path, laid out for the loop over pixels.
-struct Segments {
-  float x[kMixingSegments], y[kMixingSegments], z[kMixingSegments];     // start
-  float dx[kMixingSegments], dy[kMixingSegments], dz[kMixingSegments];  // to the end
-  float inverse_square[kMixingSegments];                                // 1 / length^2
+// Nearest point so far on a path, for each pixel of a run.
+struct Nearest {
+  float residual[kRun];  // squared distance in CIELab
+  float alpha[kRun];
 };
 
-Segments segments_of(const MixingPath& path) {
-  Segments s{};
-  for (std::size_t i = 0; i < kMixingSegments; ++i) {
-    const glm::vec3 start = path.corner[i], step = path.corner[i + 1] - start;
-    s.x[i] = start.x;
-    s.y[i] = start.y;
-    s.z[i] = start.z;
-    s.dx[i] = step.x;
-    s.dy[i] = step.y;
-    s.dz[i] = step.z;
-    s.inverse_square[i] = 1.0f / std::max(glm::dot(step, step), 1e-12f);
+// The two helpers below are inlined into each clone of alpha_of_run, so that its loops are
+// vectorised for the clone's processor.
+[[gnu::always_inline]] inline void nearest_on_segment(const PixelRun& run, const glm::vec3& start,
+                                                      const glm::vec3& step, float first_alpha,
+                                                      Nearest& nearest) {
+  const float sx = start.x, sy = start.y, sz = start.z, dx = step.x, dy = step.y, dz = step.z;
+  const float inverse = 1.0f / std::max(dx * dx + dy * dy + dz * dz, 1e-12f);
+  const float *l = run.l, *a = run.a, *b = run.b;
+  for (std::size_t i = 0; i < kRun; ++i) {
+    const float x = l[i] - sx, y = a[i] - sy, z = b[i] - sz;
+    float u = (x * dx + y * dy + z * dz) * inverse;
+    u = u > 0.0f ? u : 0.0f;
+    u = u < 1.0f ? u : 1.0f;
+    const float rx = x - u * dx, ry = y - u * dy, rz = z - u * dz;
+    const float residual = rx * rx + ry * ry + rz * rz;
+    const bool nearer = residual < nearest.residual[i];
+    nearest.alpha[i] = nearer ? first_alpha + u * (1.0f / kMixingSegments) : nearest.alpha[i];
+    nearest.residual[i] = nearer ? residual : nearest.residual[i];
   }
-  return s;
 }
 
-// e^x for x <= 0 to 2e-4 relative: 2^n from the exponent bits, 2^fraction from a cubic.
+// Gaussian whose variance goes from the background's to the foreground's with alpha.
+[[gnu::always_inline]] inline void weigh_path(const MixingPath& path, const PixelRun& run,
+                                              const Nearest& nearest, float* __restrict exponent,
+                                              float* __restrict greatest) {
+  const float variance0 = path.background_variance;
+  const float variance_step = path.foreground_variance - variance0;
+  const float log0 = 1.5f * std::log(variance0);
+  const float log_step = 1.5f * std::log(path.foreground_variance) - log0;
+  const float* front = run.foreground_log_weight + std::size_t(path.foreground) * kRun;
+  const float* back = run.background_log_weight + std::size_t(path.background) * kRun;
+  const float* tilt = run.tilt;
+  for (std::size_t i = 0; i < kRun; ++i) {
+    const float alpha = nearest.alpha[i];
+    exponent[i] = front[i] + back[i] - log0 -
+                  0.5f * nearest.residual[i] / (variance0 + alpha * variance_step) +
+                  alpha * (tilt[i] - log_step);
+    greatest[i] = exponent[i] > greatest[i] ? exponent[i] : greatest[i];
+  }
+}
+
+[[gnu::always_inline]] inline void weigh_pure(const PureColour& pure, const PixelRun& run,
+                                              float* __restrict exponent,
+                                              float* __restrict greatest) {
+  const float* weights = pure.opaque ? run.foreground_log_weight : run.background_log_weight;
+  const float* weight = weights + std::size_t(pure.cluster) * kRun;
+  const float *l = run.l, *a = run.a, *b = run.b, *tilt = run.tilt;
+  const float alpha = pure.opaque ? 1.0f : 0.0f, log_weight = pure.log_weight;
+  const float x0 = pure.lab.x, y0 = pure.lab.y, z0 = pure.lab.z;
+  const auto [xx, yx, yy, zx, zy, zz] = pure.whitening;
+  for (std::size_t i = 0; i < kRun; ++i) {
+    const float x = l[i] - x0, y = a[i] - y0, z = b[i] - z0;
+    const float u = xx * x, v = yx * x + yy * y, w = zx * x + zy * y + zz * z;
+    exponent[i] = weight[i] + log_weight - 0.5f * (u * u + v * v + w * w) + alpha * tilt[i];
+    greatest[i] = exponent[i] > greatest[i] ? exponent[i] : greatest[i];
+  }
+}
+
+// e^x for x <= 0, to 2e-4 relative: 2^n from the exponent bits, 2^fraction from a polynomial.
 [[gnu::always_inline]] inline float fast_exp(float x) {
-  const float scaled = std::max(x * 1.44269504f, -126.0f);
-  const int whole =
-      int(scaled) - 1;  // towards zero, less one: at most the floor, fraction in (0, 2)
+  const float product = x * 1.44269504f;
+  const float scaled = product > -126.0f ? product : -126.0f;
+  const int whole = int(scaled) - 1;  // towards zero, less one: the fraction is in (0, 1]
   const float f = 0.5f * (scaled - float(whole));
   const float root =
       1.0f + f * (0.69314718f + f * (0.24022651f + f * (0.05550411f + f * 0.00961813f)));
   return root * root * std::bit_cast<float>((whole + 127) << 23);
 }
 
+struct Totals {
+  float greatest[kRun];  // exponent
+  float sum[kRun], weighted[kRun];
+};
+
+[[gnu::always_inline]] inline void add_path(const float* exponent, const float* alpha,
+                                            Totals& totals) {
+  for (std::size_t i = 0; i < kRun; ++i) {
+    const float weight = fast_exp(exponent[i] - totals.greatest[i]);
+    totals.sum[i] += weight;
+    totals.weighted[i] += weight * alpha[i];
+  }
+}
+
 }  // namespace
 
-// The loops over the pixels of a run vectorise; the widest clone that the processor knows is taken.
-[[gnu::target_clones("arch=skylake-avx512", "arch=haswell", "default")]] void alpha_of_run(
-    const std::vector<MixingPath>& paths, const PixelRun& run, float* scratch,
-    const AlphaRun& result) {
-  float* exponent = scratch;
-  float* share = scratch + paths.size() * kRun;
-  float greatest[kRun];
-  std::fill_n(greatest, kRun, -1e30f);
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    const MixingPath& path = paths[p];
-    const Segments s = segments_of(path);
-    const float variance0 = path.background_variance;
-    const float variance_step = path.foreground_variance - variance0;
-    const float log0 = 1.5f * std::log(variance0);
-    const float log_step = 1.5f * std::log(path.foreground_variance) - log0;
-    const float* fw = run.foreground_log_weight + std::size_t(path.foreground) * kRun;
-    const float* bw = run.background_log_weight + std::size_t(path.background) * kRun;
-    float* e = exponent + p * kRun;
-    float* t = share + p * kRun;
-    for (std::size_t i = 0; i < kRun; ++i) {
-      float best = 1e30f, best_alpha = 0.0f;
-#pragma GCC unroll 6
-      for (int k = 0; k < kMixingSegments; ++k) {
-        const float x = run.l[i] - s.x[k], y = run.a[i] - s.y[k], z = run.b[i] - s.z[k];
-        float u = (x * s.dx[k] + y * s.dy[k] + z * s.dz[k]) * s.inverse_square[k];
-        u = std::min(std::max(u, 0.0f), 1.0f);
-        const float rx = x - u * s.dx[k], ry = y - u * s.dy[k], rz = z - u * s.dz[k];
-        const float residual = rx * rx + ry * ry + rz * rz;
-        const float alpha = (float(k) + u) * (1.0f / kMixingSegments);
-        best_alpha = residual < best ? alpha : best_alpha;
-        best = residual < best ? residual : best;
-      }
-      const float variance = variance0 + best_alpha * variance_step;
-      e[i] = -0.5f * best / variance - (log0 + best_alpha * log_step) + fw[i] + bw[i] +
-             run.tilt[i] * best_alpha;
-      t[i] = best_alpha;
-      greatest[i] = std::max(greatest[i], e[i]);
+std::size_t scratch_size(const MixedColours& colours) {
+  return (2 * colours.paths.size() + 2 * colours.pure.size()) * kRun;
+}
+
+// The widest clone that the processor knows is taken.
+[[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]] void alpha_of_run(
+    const MixedColours& colours, const PixelRun& run, float* scratch, const AlphaRun& result) {
+  const std::size_t count = colours.paths.size() + colours.pure.size();
+  float *exponent = scratch, *alpha = scratch + count * kRun;
+  Totals totals{};
+  std::fill_n(totals.greatest, kRun, -1e30f);
+  Nearest nearest{};
+  for (const MixingPath& path : colours.paths) {
+    std::fill_n(nearest.residual, kRun, 1e30f);
+    for (std::size_t k = 0; k < kMixingSegments; ++k) {
+      const glm::vec3 start = path.corner[k];
+      nearest_on_segment(run, start, path.corner[k + 1] - start, float(k) / kMixingSegments,
+                         nearest);
     }
+    weigh_path(path, run, nearest, exponent, totals.greatest);
+    std::copy_n(nearest.alpha, kRun, alpha);
+    exponent += kRun;
+    alpha += kRun;
   }
-  float sum[kRun] = {}, weighted[kRun] = {};
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    const float* e = exponent + p * kRun;
-    const float* t = share + p * kRun;
-    for (std::size_t i = 0; i < kRun; ++i) {
-      const float weight = fast_exp(e[i] - greatest[i]);
-      sum[i] += weight;
-      weighted[i] += weight * t[i];
-    }
+  for (const PureColour& pure : colours.pure) {
+    weigh_pure(pure, run, exponent, totals.greatest);
+    std::fill_n(alpha, kRun, pure.opaque ? 1.0f : 0.0f);
+    exponent += kRun;
+    alpha += kRun;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    add_path(scratch + i * kRun, scratch + (count + i) * kRun, totals);
   }
   for (std::size_t i = 0; i < kRun; ++i) {
-    result.alpha[i] = weighted[i] / sum[i];
-    result.likelihood[i] = greatest[i] + std::log(sum[i]);
+    result.alpha[i] = totals.weighted[i] / totals.sum[i];
+    result.likelihood[i] = totals.greatest[i] + std::log(totals.sum[i]);
   }
 }
 

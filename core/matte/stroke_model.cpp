@@ -7,6 +7,8 @@
 
 #include "core/image/colour.h"
 #include "core/matte/distance_map.h"
+#include "core/matte/grid.h"
+#include "core/matte/scribbles.h"
 
 namespace bosk {
 namespace {
@@ -96,12 +98,13 @@ std::vector<StrokeCluster> locate(const std::vector<ColourCluster>& clusters, co
 
 }  // namespace
 
-LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, Progress& progress) {
-  const int width = srgb.width(), height = srgb.height();
+LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, int step,
+                     Progress& progress) {
+  const int width = (srgb.width() + step - 1) / step, height = (srgb.height() + step - 1) / step;
   LabPlanes planes{{width, height}, {width, height}, {width, height}};
   tbb::parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
-      const glm::vec3 lab = lab_from_linear(linear_from_srgb(srgb(x, y)) * gain);
+      const glm::vec3 lab = lab_from_linear(linear_from_srgb(srgb(x * step, y * step)) * gain);
       planes.l(x, y) = lab.x;
       planes.a(x, y) = lab.y;
       planes.b(x, y) = lab.z;
@@ -111,16 +114,14 @@ LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, Progre
   return planes;
 }
 
-StrokeModel learn_strokes(const LabPlanes& lab, const Image<std::uint8_t>& strokes,
-                          const MatteOptions& options) {
-  const auto under_background = pixels_under(strokes, kBackgroundStroke);
-  auto under_foreground = pixels_under(strokes, kForegroundStroke);
+StrokeModel learn_strokes(const LabPlanes& lab, const Image<std::uint8_t>& strokes, int clusters) {
   const auto clusters_of = [&](const std::vector<std::size_t>& pixels) {
-    return cluster_colours(colours_of(lab, pixels), options.clusters, kLeastVariance).clusters;
+    return cluster_colours(colours_of(lab, pixels), clusters, kLeastVariance).clusters;
   };
+  const auto under_background = pixels_under(strokes, kBackgroundStroke);
   const auto background = clusters_of(under_background);
-  under_foreground =
-      without_sloppy(lab, under_foreground, clusters_of(under_foreground), background);
+  const auto all = pixels_under(strokes, kForegroundStroke);
+  const auto under_foreground = without_sloppy(lab, all, clusters_of(all), background);
   return {locate(clusters_of(under_foreground), lab, under_foreground),
           locate(background, lab, under_background)};
 }

@@ -1,13 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/image/image.h"
 #include "core/matte/clusters.h"
-#include "core/matte/matte.h"
 
 namespace bosk {
+
+// The photo's pixels in CIELab, one plane per channel.
+struct LabPlanes {
+  Image<float> l, a, b;
+};
+// Every `step`-th pixel of every `step`-th row. `gain` multiplies the linear light first. Calls
+// progress.advance() for each row of the result.
+LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, int step,
+                     Progress& progress);
 
 // One colour of the strokes and where it was drawn.
 struct StrokeCluster {
@@ -23,15 +33,9 @@ struct StrokeModel {
   std::vector<StrokeCluster> foreground, background;
 };
 
-// The photo's pixels in CIELab, one plane per channel. `gain` multiplies linear light first.
-struct LabPlanes {
-  Image<float> l, a, b;
-};
-LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, Progress& progress);
-
 // Clusters of both kinds of stroke. Foreground pixels whose colour is far more common under the
-// background strokes are dropped first: hurried strokes run over gaps in the crown.
-StrokeModel learn_strokes(const LabPlanes& lab, const Image<std::uint8_t>& strokes,
-                          const MatteOptions& options);
+// background strokes are dropped first: hurried strokes run over gaps in the crown. `strokes` has
+// the size of `lab` and both kinds.
+StrokeModel learn_strokes(const LabPlanes& lab, const Image<std::uint8_t>& strokes, int clusters);
 
 }  // namespace bosk

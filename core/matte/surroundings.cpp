@@ -1,0 +1,86 @@
+#include "core/matte/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/matte/blur.h"
+#include "core/matte/grid.h"
+#include "core/matte/scribbles.h"
+
+namespace bosk {
+namespace {
+
+constexpr float kStrokeWeight = 4.0f;   // of a stroke's pixel against an estimated one
+constexpr float kMostCertain = 0.005f;  // mean alpha is never believed to be nearer to 0 or 1
+constexpr float kNearDistance =
+    0.02f;  // diagonals; closer than this to a stroke makes no difference
+
+struct WeighedAlpha {
+  float alpha = 0.0f, weight = 1.0f;
+};
+
+WeighedAlpha weighed(float alpha, std::uint8_t stroke) {
+  if (stroke == kForegroundStroke) return {1.0f, kStrokeWeight};
+  if (stroke == kBackgroundStroke) return {0.0f, kStrokeWeight};
+  return {alpha, 1.0f};
+}
+
+float nearest(const std::vector<StrokeCluster>& clusters, std::size_t cell) {
+  float least = 1e12f;
+  for (const StrokeCluster& cluster : clusters) {
+    least = std::min(least, cluster.squared_distance.data()[cell]);
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+Image<float> mean_alpha(const Image<float>& alpha, const Image<std::uint8_t>& strokes,
+                        float sigma) {
+  const int width = alpha.width(), height = alpha.height();
+  const glm::ivec2 size = grid_size(width, height);
+  Image<float> sum(size.x, size.y), weights(size.x, size.y);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int u = x * size.x / width, v = y * size.y / height;
+      const WeighedAlpha item = weighed(alpha(x, y), strokes.empty() ? kNoStroke : strokes(x, y));
+      sum(u, v) += item.weight * item.alpha;
+      weights(u, v) += item.weight;
+    }
+  }
+  const float sigma_cells = sigma * std::hypot(float(size.x), float(size.y));
+  Image<float> mean = blurred(sum, sigma_cells);
+  weights = blurred(weights, sigma_cells);
+  for (std::size_t i = 0; i < mean.size(); ++i) mean.data()[i] /= weights.data()[i];
+  return mean;
+}
+
+Image<float> region_tilt(const Image<float>& mean_alpha, float weight) {
+  Image<float> tilt = mean_alpha;
+  for (float& value : tilt.pixels()) {
+    const float mean = std::clamp(value, kMostCertain, 1.0f - kMostCertain);
+    value = weight * std::log(mean / (1.0f - mean));
+  }
+  return tilt;
+}
+
+Image<float> position_tilt(const StrokeModel& model, float weight) {
+  Image<float> tilt = model.foreground.front().squared_distance;
+  for (std::size_t i = 0; i < tilt.size(); ++i) {
+    const float front = nearest(model.foreground, i), back = nearest(model.background, i);
+    tilt.data()[i] = weight * (back - front) / (back + front + kNearDistance);
+  }
+  return tilt;
+}
+
+Image<float> sum_of_grids(const Image<float>& a, const Image<float>& b) {
+  Image<float> sum = a;
+  for (int y = 0; y < a.height(); ++y) {
+    const GridPlace row = grid_place(y, a.height(), b.height());
+    for (int x = 0; x < a.width(); ++x)
+      sum(x, y) += GridPoint{grid_place(x, a.width(), b.width()), row}.sample(b);
+  }
+  return sum;
+}
+
+}  // namespace bosk
