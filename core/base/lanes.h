@@ -7,9 +7,10 @@
 
 namespace bosk {
 
-// Sums that many threads scatter into are kept in this many buffers, each filled in a fixed order and
-// merged in a fixed order, so that a result is the same to the bit at every thread count. More lanes
-// would let more threads work and cost memory and merging; four keep the overhead near a tenth.
+// Sums that many threads scatter into are kept in this many buffers, each filled in a fixed order
+// and merged in a fixed order, so that a result is the same to the bit at every thread count. More
+// lanes would let more threads work and cost memory and merging; four keep the overhead near a
+// tenth.
 inline constexpr std::size_t kLanes = 4;
 
 // Calls body(lane, first, last) for each lane's share of 0 .. count - 1.

@@ -13,20 +13,23 @@
 namespace bosk {
 
 struct BillboardOptions {
-  int coarsest_level = 4;     // octree level of the coarsest billboards
-  double prune = 0.01;        // a billboard is dropped when no view sees this share of its opacity
+  int coarsest_level = 4;  // octree level of the coarsest billboards
+  int views = 12;          // directions that coarse levels have textures for
+  int texels = 4;          // M: texels along the edge of a coarse billboard, 4 or 8
+  double prune = 0.01;     // a billboard is dropped when less than this share of light shows it
 };
 Options describe(BillboardOptions& options);
 
 // View-dependent textures of one octree level.
 struct BillboardLevel {
   int level = 0;
-  int texels = 4;          // M, texels along an edge: 4 or 8
-  float side_factor = 1;   // billboard side / cell side
-  float max_cell_px = 0;   // see TreeLevel in package/tree_model.h
+  int texels = 4;                    // M, texels along an edge: 4 or 8
+  float side_factor = 1;             // billboard side / cell side
+  float max_cell_px = 0;             // see TreeLevel in package/tree_model.h
   std::vector<std::uint32_t> views;  // into Billboards::view_positions
   std::vector<std::uint64_t> cells;  // Morton codes (x lowest bit), ascending
-  // [cell][view][row][column], straight sRGB-encoded colour and alpha; alpha 0 everywhere where pruned.
+  // [cell][view][row][column], straight sRGB-encoded colour and alpha; alpha 0 everywhere where
+  // pruned.
   std::vector<glm::u8vec4> texture;
 
   std::size_t texture_size() const { return std::size_t(texels) * std::size_t(texels); }
@@ -40,7 +43,8 @@ struct Billboards {
   std::vector<BillboardLevel> levels;  // coarse to fine
 };
 
-// Bakes textures of every level from the volume, towards the photos' viewpoints or a chosen few.
+// Bakes textures of every level from the volume, towards viewpoints spread over the hemisphere.
+// Throws Error when the volume is empty.
 Billboards bake_billboards(const RadianceVolume& volume, const std::vector<Camera>& cameras,
                            const BillboardOptions& options, Progress& progress);
 

@@ -15,13 +15,13 @@ namespace bosk {
 
 struct OpacityOptions {
   int finest_level = 0;  // 0: chosen from the photos' pixel footprint; else 4 to 9
-  int passes = 2;        // of the solver over all rays at the finest level
+  int passes = 1;        // of the solver over all rays at the finest level
   int subsets = 8;       // interleaved pixels per pass
 };
 Options describe(OpacityOptions& options);
 
-// Where the tree is and how opaque: the cube around the crown, its cells at the finest level that may
-// hold something, and each cell's extinction.
+// Where the tree is and how opaque: the cube around the crown, its cells at the finest level that
+// may hold something, and each cell's extinction.
 struct OpacityTree {
   glm::dvec3 origin{0.0};  // lower corner of the cube, world
   double size_m = 1.0;     // edge of the cube
@@ -37,16 +37,18 @@ struct OpacityTree {
 // The state after an iteration, for whoever watches. Valid during the call only.
 struct OpacityPreview {
   const OpacityTree& tree;
-  int iteration = 0;          // from 1, over all levels
-  double mean_error = 0.0;    // mean |alpha - matte| over the rays of the last pass
+  int iteration = 0;        // from 1, over all levels
+  double mean_error = 0.0;  // mean |alpha - matte| over the rays of the last pass
 };
 using OpacityWatcher = std::function<void(const OpacityPreview&)>;
 
 // Finds the crown's box from the mattes, carves it by all mattes, and solves for extinction by
-// multiplicative least-squares EM, coarse to fine. Throws Error when fewer than 2 photos have a matte,
-// a matte is empty everywhere, or the photos' views have no volume in common (names the photos).
-OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes, const OpacityOptions& options,
-                             Progress& progress, const OpacityWatcher& watcher = {});
+// multiplicative least-squares EM, coarse to fine. Throws Error when fewer than 2 photos have a
+// matte, a matte is empty everywhere, or the photos' views have no volume in common (names the
+// photos).
+OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
+                             const OpacityOptions& options, Progress& progress,
+                             const OpacityWatcher& watcher = {});
 
 void write(BinaryWriter& writer, const OpacityTree& tree);
 OpacityTree read_opacity_tree(BinaryReader& reader);

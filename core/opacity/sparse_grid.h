@@ -6,9 +6,10 @@
 
 namespace bosk {
 
-// A set of cells of a cubic grid of 2^level cells a side, each cell with a number 0, 1, ... in a fixed
-// order (4x4x4 bricks row by row, cells of a brick row by row). Looking a cell up costs one 16-byte
-// load and a population count. Memory: 16 bytes per brick of the full grid, (2^level / 4)^3 bricks.
+// A set of cells of a cubic grid of 2^level cells a side, each cell with a number 0, 1, ... in a
+// fixed order (4x4x4 bricks row by row, cells of a brick row by row). Looking a cell up costs one
+// 16-byte load and a population count. Memory: 16 bytes per brick of the full grid, (2^level / 4)^3
+// bricks.
 class SparseGrid {
  public:
   static constexpr std::int32_t kAbsent = -1;
@@ -32,9 +33,11 @@ class SparseGrid {
     if ((brick.occupied & bit) == 0) return kAbsent;
     return std::int32_t(brick.first) + __builtin_popcountll(brick.occupied & (bit - 1));
   }
-  // Whether any cell of the 4x4x4 brick that holds (x, y, z) is in the set. Must be inside the grid.
-  bool brick_occupied(int x, int y, int z) const {
-    return bricks_[brick_index(x, y, z)].occupied != 0;
+  // Edge of the largest aligned block of 16 or 4 cells around (x, y, z) that holds no cell of the
+  // set; 0 when even its 4x4x4 brick holds one. Must be inside the grid.
+  int empty_block(int x, int y, int z) const {
+    if (level_ >= 4 && !block_occupied_[block_index(x, y, z)]) return 16;
+    return bricks_[brick_index(x, y, z)].occupied == 0 ? 4 : 0;
   }
 
  private:
@@ -48,10 +51,16 @@ class SparseGrid {
     return (((std::size_t(z) >> 2) << shift | (std::size_t(y) >> 2)) << shift) |
            (std::size_t(x) >> 2);
   }
+  std::size_t block_index(int x, int y, int z) const {
+    const int shift = level_ - 4;
+    return (((std::size_t(z) >> 4) << shift | (std::size_t(y) >> 4)) << shift) |
+           (std::size_t(x) >> 4);
+  }
   static int bit_index(int x, int y, int z) { return (z & 3) << 4 | (y & 3) << 2 | (x & 3); }
 
   int level_ = 2;
   std::vector<Brick> bricks_;
+  std::vector<std::uint8_t> block_occupied_;  // blocks of 16 cells a side, from level 4 on
   std::vector<glm::u16vec3> cells_;
 };
 

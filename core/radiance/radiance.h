@@ -14,13 +14,21 @@
 namespace bosk {
 
 struct RadianceOptions {
-  int degree = 1;    // of the spherical harmonics of colour: 0, 1 or 2
-  int epochs = 6;    // passes over all rays at the finest level
+  int degree = 0;                 // of the spherical harmonics of colour: 0, 1 or 2
+  int finer_levels = 2;           // octree levels below opacity's finest
+  int epochs = 2;                 // passes over all pixels at the finest level
+  int coarse_epochs = 2;          // passes at each coarser level, over averaged pixels
+  int subsets = 24;               // updates per pass
+  double extinction_rate = 0.1;   // first step of an update, relative to clamp(extinction, 0.3, 3)
+  double colour_rate = 0.06;      // first step of an update of colour
+  double colour_variation = 0.1;  // weight of the total variation of colour, per ray
+  double extinction_variation = 0.01;  // and of extinction
+  double faintest = 0.02;  // extinction per cell edge below which a finished cell is dropped
 };
 Options describe(RadianceOptions& options);
 
-// The fine sparse volume: extinction and view-dependent colour at the centre of each cell, trilinear
-// between centres.
+// The fine sparse volume: extinction and view-dependent colour at the centre of each cell,
+// trilinear between centres.
 struct RadianceVolume {
   glm::dvec3 origin{0.0};
   double size_m = 1.0;
@@ -43,11 +51,14 @@ struct RadiancePreview {
 };
 using RadianceWatcher = std::function<void(const RadiancePreview&)>;
 
-// Refines opacity and colour together so that the volume, composited along each pixel's ray, gives the
-// matted photos. Throws Error when photos carry no pixels.
-RadianceVolume refine_radiance(const Mattes& mattes, const Photos& photos, const OpacityTree& opacity,
-                               const RadianceOptions& options, Progress& progress,
-                               const RadianceWatcher& watcher = {});
+// Refines opacity and colour together so that the volume, composited along each pixel's ray, gives
+// the matted photos. Throws Error when photos carry no pixels.
+RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
+                               const OpacityTree& opacity, const RadianceOptions& options,
+                               Progress& progress, const RadianceWatcher& watcher = {});
+
+// The volume with the given cells alone; `kept` are cell numbers, ascending.
+RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint32_t>& kept);
 
 void write(BinaryWriter& writer, const RadianceVolume& volume);
 RadianceVolume read_radiance_volume(BinaryReader& reader);

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/image/image.h"
+#include "core/matte/matte.h"
+#include "core/photo/camera.h"
+
+namespace bosk {
+
+// One photo's silhouette: how many pixels of any rectangle have alpha above a threshold, in
+// constant time (summed-area table), seen through a pinhole camera.
+class Silhouette {
+ public:
+  Silhouette(const Camera& pinhole, const Image<glm::vec4>& matte, float alpha_threshold);
+
+  enum class Verdict { unseen, empty, occupied };
+  // What the photo says of the cube: `unseen` when it lies behind the camera or reaches out of the
+  // frame, `empty` when no pixel of its conservative footprint (bounding rectangle of the projected
+  // corners, grown to whole pixels) is above the threshold.
+  Verdict look_at(const glm::dvec3& lower_in_world, double edge_m) const;
+
+  std::uint32_t pixels_above() const { return sums_(sums_.width() - 1, sums_.height() - 1); }
+  const Camera& camera() const { return camera_; }
+
+ private:
+  Camera camera_;
+  Image<std::uint32_t> sums_;  // (width + 1) x (height + 1)
+};
+
+// A cube of the world and its octree's cells.
+struct Cube {
+  glm::dvec3 origin{0.0};
+  double size_m = 1.0;
+};
+
+// Cells of 2^level a side that the hull keeps: no photo sees them empty, and at least
+// max(2, 3/4 of the photos) see them whole (where that leaves nothing: half, then a third; a cell
+// that reaches out of many frames is more likely a ghost between silhouettes than a piece of the
+// tree). Exact with respect to the cells' footprints: a cell is dropped only when the matte is
+// clear all over its footprint in some photo.
+std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,
+                                   int level, Progress& progress);
+
+// The children, at `level`, of the given cells that no photo sees empty.
+std::vector<glm::ivec3> carve_children(const std::vector<Silhouette>& silhouettes, const Cube& cube,
+                                       const std::vector<glm::ivec3>& parents, int level,
+                                       Progress& progress);
+
+// The cube around everything the mattes agree on, found by carving a large cube around the point
+// nearest to all optical axes and tightening it. Throws Error when nothing is left: the photos show
+// no common volume, or the cameras don't belong to the mattes.
+Cube find_crown(const std::vector<Silhouette>& silhouettes, Progress& progress);
+
+}  // namespace bosk

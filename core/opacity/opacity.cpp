@@ -1,0 +1,145 @@
+#include "core/opacity/opacity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/opacity/em_solver.h"
+#include "core/opacity/hull.h"
+#include "core/opacity/ray_cache.h"
+#include "core/opacity/resample.h"
+
+namespace bosk {
+namespace {
+
+constexpr float kSilhouetteAlpha = 0.0f;  // any opacity keeps a cell in the hull
+constexpr int kCoarsestLevel = 5;
+constexpr int kFinestLevel = 9;            // 512 cells a side
+constexpr double kCellPx = 5.0;            // a cell's size in the photos, chosen when not given
+constexpr double kRaysAcrossCell = 2.5;    // pixels averaged so that about this many cross a cell
+constexpr float kFirstExtinction = 0.15f;  // of the coarsest level's cells, per cell edge
+
+std::vector<Silhouette> silhouettes_of(const Photos& photos, const Mattes& mattes) {
+  if (photos.size() != mattes.size() || photos.size() < 2) {
+    throw Error("opacity needs at least 2 photos with mattes, " + std::to_string(mattes.size()) +
+                " given: add photos from other sides of the tree");
+  }
+  std::vector<Silhouette> silhouettes;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    silhouettes.emplace_back(photos[i].camera, mattes[i].rgba, kSilhouetteAlpha);
+    if (silhouettes.back().pixels_above() == 0) {
+      throw Error("the matte of photo " + photos[i].name +
+                  " is clear everywhere: mark the tree in it, or leave the photo out");
+    }
+  }
+  return silhouettes;
+}
+
+// Median over the photos of the size in pixels of one metre at the crown's centre.
+double pixels_per_metre(const Photos& photos, const Cube& crown) {
+  const glm::dvec3 centre = crown.origin + 0.5 * crown.size_m;
+  std::vector<double> sizes;
+  for (const Photo& photo : photos) {
+    const double distance = glm::length(photo.camera.centre_in_world() - centre);
+    sizes.push_back(photo.camera.lens.focal_px.x / std::max(distance, 1e-9));
+  }
+  std::nth_element(sizes.begin(), sizes.begin() + std::ptrdiff_t(sizes.size() / 2), sizes.end());
+  return sizes[sizes.size() / 2];
+}
+
+int level_from_footprint(double crown_px) {
+  const int level = int(std::lround(std::log2(crown_px / kCellPx)));
+  return std::clamp(level, kCoarsestLevel, kFinestLevel);
+}
+
+int pixel_step(double cell_px) { return std::max(1, int(std::floor(cell_px / kRaysAcrossCell))); }
+
+OpacityTree start_level(const OpacityTree& coarser, const std::vector<Silhouette>& silhouettes,
+                        const Cube& crown, int level, Progress& progress) {
+  OpacityTree tree{crown.origin,
+                   crown.size_m,
+                   SparseGrid(level, carve_hull(silhouettes, crown, level, progress)),
+                   {}};
+  if (coarser.extinction.empty()) {
+    tree.extinction.assign(tree.grid.size(), kFirstExtinction);
+  } else {
+    tree.extinction = refined_extinction(coarser.grid, coarser.extinction, tree.grid);
+  }
+  return tree;
+}
+
+}  // namespace
+
+Options describe(OpacityOptions& options) {
+  return {
+      {"finest_level",
+       "",
+       "octree level of the finest cells, 2^level a side; 0 chooses it from the photos' pixels",
+       &options.finest_level,
+       0,
+       kFinestLevel,
+       {}},
+      {"passes",
+       "",
+       "passes of the solver over all rays at each level",
+       &options.passes,
+       1,
+       20,
+       {}},
+      {"subsets",
+       "",
+       "updates per pass, each from its share of the pixels",
+       &options.subsets,
+       1,
+       64,
+       {}},
+  };
+}
+
+OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
+                             const OpacityOptions& options, Progress& progress,
+                             const OpacityWatcher& watcher) {
+  const std::vector<Silhouette> silhouettes = silhouettes_of(photos, mattes);
+  const Cube crown = find_crown(silhouettes, progress);
+  const double crown_px = crown.size_m * pixels_per_metre(photos, crown);
+  const int finest =
+      options.finest_level > 0 ? options.finest_level : level_from_footprint(crown_px);
+
+  OpacityTree tree;
+  int iteration = 0;
+  for (int level = std::min(kCoarsestLevel, finest); level <= finest; ++level) {
+    tree = start_level(tree, silhouettes, crown, level, progress);
+    const TrilinearSupport support(tree.grid);
+    const int step = pixel_step(crown_px / double(1 << level));
+    const RayCache cache = cache_rays(photos, mattes, step, crown, level, support, progress);
+    double last_error = 2.0;
+    for (int pass = 0; pass < options.passes; ++pass) {
+      progress.begin("Opacity, level " + std::to_string(level), cache.tiles());
+      const double error = em_pass(cache, support, options.subsets, tree.extinction, progress);
+      if (watcher) watcher({tree, ++iteration, error});
+      if (error > last_error) break;  // more passes would only fit noise
+      last_error = error;
+    }
+  }
+  return tree;
+}
+
+void write(BinaryWriter& writer, const OpacityTree& tree) {
+  writer.value(tree.origin);
+  writer.value(tree.size_m);
+  write(writer, tree.grid);
+  writer.array(tree.extinction);
+}
+
+OpacityTree read_opacity_tree(BinaryReader& reader) {
+  OpacityTree tree;
+  tree.origin = reader.value<glm::dvec3>();
+  tree.size_m = reader.value<double>();
+  tree.grid = read_sparse_grid(reader);
+  tree.extinction = reader.array<float>();
+  if (tree.extinction.size() != tree.grid.size()) throw Error("stored opacity is inconsistent");
+  return tree;
+}
+
+}  // namespace bosk
