@@ -42,14 +42,16 @@ VolumeSampler::Value VolumeSampler::sample(const glm::vec3& at,
   for (int i = 0; i < 8; ++i) {
     const auto corner = std::size_t(corners.number[i]);
     if (corner >= volume_.extinction.size()) continue;
-    value.extinction += weights[i] * volume_.extinction[corner];
+    const float part = weights[i] * volume_.extinction[corner];
+    value.extinction += part;
     const float* coefficients = &volume_.colour[corner * terms * 3];
     for (std::size_t j = 0; j < terms; ++j) {
-      const float weight = weights[i] * basis[j];
+      const float weight = part * basis[j];
       value.colour +=
           weight * glm::vec3(coefficients[3 * j], coefficients[3 * j + 1], coefficients[3 * j + 2]);
     }
   }
+  if (value.extinction > 0.0f) value.colour /= value.extinction;
   return value;
 }
 

@@ -60,6 +60,7 @@ void store(const Nodes<N>& nodes, RadianceVolume& volume) {
 // What the ray met, front to back.
 struct Sample {
   std::int32_t support;
+  float extinction;
   float kept;    // 1 - opacity of the sample
   float before;  // light left when the ray reaches it
   Row colour;
@@ -78,6 +79,8 @@ Row view_colour(const Row (&rows)[N], const std::array<float, kMaxCoefficients>&
   return colour;
 }
 
+float dot3(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 template <int N>
 Composite march(const RayCache& cache, const CachedRay& ray, const TrilinearSupport& support,
                 const Nodes<N>& nodes, const std::array<float, kMaxCoefficients>& basis,
@@ -90,12 +93,16 @@ Composite march(const RayCache& cache, const CachedRay& ray, const TrilinearSupp
     trilinear_weights(fraction, sample.weights);
     const auto& corners = support.corners(number);
     Row rows[N] = {};
+    float extinction = kTiny;
     for (int i = 0; i < 8; ++i) {
       const Node<N>& node = nodes[std::size_t(corners.number[i])];
-      for (int j = 0; j < N; ++j) rows[j] += sample.weights[i] * node.rows[j];
+      const float part = sample.weights[i] * node.rows[0][3];
+      extinction += part;
+      for (int j = 0; j < N; ++j) rows[j] += part * node.rows[j];
     }
-    sample.colour = view_colour<N>(rows, basis);
-    sample.kept = std::exp(-rows[0][3]);
+    sample.extinction = extinction;
+    sample.colour = view_colour<N>(rows, basis) / extinction;
+    sample.kept = std::exp(-extinction);
     sample.before = sum.left;
     sum.colour += sample.colour * (sum.left * (1.0f - sample.kept));
     sum.left *= sample.kept;
@@ -108,27 +115,28 @@ Composite march(const RayCache& cache, const CachedRay& ray, const TrilinearSupp
 // Adds the loss's derivatives by each corner's values to `gradient`.
 template <int N>
 void back_propagate(const TrilinearSupport& support, const std::vector<Sample>& samples,
-                    const Composite& sum, const Row& error,
+                    const Composite& sum, const Row& error, const Nodes<N>& nodes,
                     const std::array<float, kMaxCoefficients>& basis, Nodes<N>& gradient) {
   Row behind{};  // colour that the samples further back add
   for (std::size_t k = samples.size(); k-- > 0;) {
     const Sample& sample = samples[k];
     const float share = sample.before * (1.0f - sample.kept);
-    const float left = sample.before * sample.kept;
-    const Row colour_change = sample.colour * left - behind;
-    const float by_extinction = error[0] * colour_change[0] + error[1] * colour_change[1] +
-                                error[2] * colour_change[2] + error[3] * sum.left;
-    Row rows[N];
-    rows[0] = error * share;
-    rows[0][3] = by_extinction;
-    for (std::size_t j = 1; j < N; ++j) {
-      rows[j] = error * (share * basis[j]);
-      rows[j][3] = 0.0f;
-    }
+    const float by_depth =
+        dot3(error, sample.colour * (sample.before * sample.kept) - behind) + error[3] * sum.left;
+    const Row by_colour = error * (share / sample.extinction);
     const auto& corners = support.corners(sample.support);
     for (int i = 0; i < 8; ++i) {
-      Node<N>& node = gradient[std::size_t(corners.number[i])];
-      for (int j = 0; j < N; ++j) node.rows[j] += sample.weights[i] * rows[j];
+      const auto corner = std::size_t(corners.number[i]);
+      const Node<N>& node = nodes[corner];
+      const Row difference = view_colour<N>(node.rows, basis) - sample.colour;
+      Node<N>& target = gradient[corner];
+      Row change = by_colour * (sample.weights[i] * node.rows[0][3]);
+      for (std::size_t j = 1; j < N; ++j) {
+        change[3] = 0.0f;
+        target.rows[j] += change * basis[j];
+      }
+      change[3] = sample.weights[i] * (by_depth + dot3(by_colour, difference));
+      target.rows[0] += change;
     }
     behind += sample.colour * share;
   }
@@ -240,7 +248,7 @@ void fit_ray(const RayCache& cache, const CachedRay& ray, const TrilinearSupport
   error[3] = 1.0f - sum.left - ray.target.a;
   for (int c = 0; c < 4; ++c) lane.squared_error += double(error[c]) * double(error[c]);
   ++lane.rays;
-  back_propagate<N>(support, lane.samples, sum, error, basis, lane.gradient);
+  back_propagate<N>(support, lane.samples, sum, error, nodes, basis, lane.gradient);
 }
 
 // Step size relative to the first, from 1 down to kLastRate along half a cosine: large steps find
@@ -327,9 +335,9 @@ void back_project_colour(RadianceVolume& volume, const RayCache& cache,
           depth += weights[i] * extinction[std::size_t(corners.number[i])];
         const float kept = std::exp(-depth), share = left * (1.0f - kept);
         for (int i = 0; i < 8; ++i) {
-          const float w = weights[i] * share;
-          sums[number][std::size_t(corners.number[i])] +=
-              Row{straight.r, straight.g, straight.b, 1.0f} * w;
+          const auto corner = std::size_t(corners.number[i]);
+          const float w = weights[i] * extinction[corner] / std::max(depth, kTiny) * share;
+          sums[number][corner] += Row{straight.r, straight.g, straight.b, 1.0f} * w;
         }
         left *= kept;
         return left > kOpaque;

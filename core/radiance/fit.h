@@ -25,8 +25,10 @@ struct FitSchedule {
 //   sum over rays |C - C*|^2 + (alpha - alpha*)^2,
 //   C = sum_k T_k a_k c_k,  alpha = 1 - T_end,  a_k = 1 - exp(-extinction_k),  T_k = prod_j<k (1 -
 //   a_j)
-// with samples one cell apart, everything premultiplied and sRGB-encoded (emission-absorption
-// model, as in volume rendering; Max 1995). Calls `after_epoch(psnr_db)`.
+// with samples one cell apart; extinction is trilinear between the cells' centres, colour the mean
+// of the cells' colours weighted by what each adds to the extinction, everything premultiplied and
+// sRGB-encoded (emission-absorption model, as in volume rendering; Max 1995). Calls
+// `after_epoch(psnr_db)`.
 void fit_volume(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& support,
                 const FitSchedule& schedule, Progress& progress,
                 const std::function<void(double)>& after_epoch);

@@ -41,12 +41,39 @@ RadianceVolume refined_volume(const RadianceVolume& volume,
   return without_faint(finer, kFaintStart);
 }
 
-FitSchedule schedule_of(const RadianceOptions& options, bool finest) {
+// One stretch of the fit: a level, photos averaged over step x step pixels, and the extinction
+// below which cells are dropped behind it.
+struct Phase {
+  int level = 0, step = 1, epochs = 1;
+  float rate = 1.0f, faintest = kFaintStart;
+};
+
+// Coarse to fine; at the finest level first on halved photos, then on all pixels. Faint cells go in
+// two steps, each followed by passes that let the rest take over what they held.
+std::vector<Phase> phases_of(const RadianceOptions& options, int first_level) {
+  const int finest = std::min(first_level + options.finer_levels, kFinestLevel);
+  const auto faintest = float(options.faintest);
+  std::vector<Phase> phases;
+  for (int level = first_level; level < finest; ++level) {
+    const int step = std::min(1 << (finest - level), kCoarsestStep);
+    const bool last = level + 1 == finest && finest - first_level > 1;
+    phases.push_back({level, step, options.coarse_epochs, 1.0f, last ? faintest : kFaintStart});
+  }
+  if (finest - first_level <= 1) {
+    phases.push_back({finest, 2, options.coarse_epochs, 1.0f, 0.25f * faintest});
+  }
+  phases.push_back({finest, 1, options.epochs, 0.7f, faintest});
+  if (options.last_epochs > 0)
+    phases.push_back({finest, 1, options.last_epochs, 0.3f, 0.5f * faintest});
+  return phases;
+}
+
+FitSchedule schedule_of(const RadianceOptions& options, const Phase& phase) {
   FitSchedule schedule;
-  schedule.epochs = finest ? options.epochs : options.coarse_epochs;
+  schedule.epochs = phase.epochs;
   schedule.subsets = options.subsets;
-  schedule.extinction_rate = float(options.extinction_rate);
-  schedule.colour_rate = float(options.colour_rate);
+  schedule.extinction_rate = phase.rate * float(options.extinction_rate);
+  schedule.colour_rate = phase.rate * float(options.colour_rate);
   schedule.colour_variation = options.colour_variation;
   schedule.extinction_variation = options.extinction_variation;
   return schedule;
@@ -80,6 +107,13 @@ Options describe(RadianceOptions& options) {
        "passes over all pixels at the finest level; more is sharper and slower",
        &options.epochs,
        1,
+       100,
+       {}},
+      {"last_epochs",
+       "",
+       "passes over all pixels after faint cells are dropped",
+       &options.last_epochs,
+       0,
        100,
        {}},
       {"coarse_epochs",
@@ -156,22 +190,22 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
                         options.degree, opacity.extinction, {}};
   volume.colour.assign(volume.grid.size() * std::size_t(volume.coefficients()) * 3, 0.0f);
   volume = without_faint(volume, kFaintStart);
-  const int finest = std::min(opacity.level() + options.finer_levels, kFinestLevel);
   int epoch = 0;
-  for (int level = opacity.level(); level <= finest; ++level) {
-    if (level > opacity.level()) volume = refined_volume(volume, silhouettes, progress);
+  for (const Phase& phase : phases_of(options, opacity.level())) {
+    if (phase.level > volume.grid.level()) volume = refined_volume(volume, silhouettes, progress);
     if (volume.grid.size() == 0) throw_empty();
     const TrilinearSupport support(volume.grid);
-    const int step = std::min(1 << (finest - level), kCoarsestStep);
-    const RayCache cache =
-        cache_rays(photos, mattes, step, {volume.origin, volume.size_m}, level, support, progress);
-    if (level == opacity.level()) back_project_colour(volume, cache, support, progress);
-    fit_volume(volume, cache, support, schedule_of(options, level == finest), progress,
-               [&](double psnr_db) {
-                 if (watcher) watcher({volume, ++epoch, psnr_db});
-               });
+    const RayCache cache = cache_rays(photos, mattes, phase.step, {volume.origin, volume.size_m},
+                                      phase.level, support, progress);
+    if (volume.grid.level() == opacity.level() && epoch == 0)
+      back_project_colour(volume, cache, support, progress);
+    fit_volume(volume, cache, support, schedule_of(options, phase), progress, [&](double psnr_db) {
+      if (watcher) watcher({volume, ++epoch, psnr_db});
+    });
+    ++epoch;
+    volume = without_faint(volume, phase.faintest);
   }
-  return without_faint(volume, float(options.faintest));
+  return volume;
 }
 
 void write(BinaryWriter& writer, const RadianceVolume& volume) {

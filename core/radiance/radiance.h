@@ -15,8 +15,9 @@ namespace bosk {
 
 struct RadianceOptions {
   int degree = 0;                 // of the spherical harmonics of colour: 0, 1 or 2
-  int finer_levels = 2;           // octree levels below opacity's finest
+  int finer_levels = 1;           // octree levels below opacity's finest
   int epochs = 2;                 // passes over all pixels at the finest level
+  int last_epochs = 1;            // and after faint cells are dropped
   int coarse_epochs = 2;          // passes at each coarser level, over averaged pixels
   int subsets = 24;               // updates per pass
   double extinction_rate = 0.1;   // first step of an update, relative to clamp(extinction, 0.3, 3)
