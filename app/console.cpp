@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kSteadyFraction = 0.05;  // of the job, before remaining time is told
 constexpr double kSteadySeconds = 3.0;
-constexpr auto kLineInterval = std::chrono::seconds(10);
+constexpr auto kLineInterval = std::chrono::seconds(1);       // at least, between two lines
+constexpr auto kSameLineInterval = std::chrono::seconds(10);  // that say the same
 constexpr int kBarCells = 24;
 
 std::string minutes(double seconds) {
@@ -30,6 +31,10 @@ std::size_t terminal_columns() {
   struct winsize size {};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
+}
+
+std::string what(const ProgressReport& report) {
+  return report.part.empty() ? report.phrase : report.part + ": " + report.phrase;
 }
 
 std::string per_cent(double fraction) {
@@ -74,7 +79,7 @@ void Console::show_bar(const ProgressReport& report) {
   const int full = std::clamp(int(kBarCells * report.fraction), 0, kBarCells);
   std::string line =
       "[" + std::string(std::size_t(full), '#') + std::string(std::size_t(kBarCells - full), '.') +
-      "] " + per_cent(report.fraction) + "  " + times(report.fraction) + "  " + report.phrase;
+      "] " + per_cent(report.fraction) + "  " + times(report.fraction) + "  " + what(report);
   line.resize(std::min(line.size(), terminal_columns() - 1));
   std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
   std::fflush(stderr);
@@ -83,10 +88,13 @@ void Console::show_bar(const ProgressReport& report) {
 
 void Console::show_line(const ProgressReport& report) {
   const auto now = Clock::now();
-  if (report.phrase == last_phrase_ && now - last_line_ < kLineInterval) return;
+  const std::string line = what(report);
+  const auto interval = line == last_what_ ? kSameLineInterval : kLineInterval;
+  if (report.part == last_part_ && now - last_line_ < interval) return;
   last_line_ = now;
-  last_phrase_ = report.phrase;
-  std::fprintf(stderr, "%s  %s  %s\n", per_cent(report.fraction).c_str(), report.phrase.c_str(),
+  last_what_ = line;
+  last_part_ = report.part;
+  std::fprintf(stderr, "%s  %s  %s\n", per_cent(report.fraction).c_str(), line.c_str(),
                times(report.fraction).c_str());
 }
 

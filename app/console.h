@@ -48,7 +48,7 @@ class Console {
   bool bar_shown_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_line_{};
-  std::string last_phrase_;
+  std::string last_what_, last_part_;
   double left_s_ = -1.0;  // smoothed; negative before there is an estimate
   Progress progress_;
 };

@@ -42,8 +42,9 @@ void Progress::warn(const std::string& sentence) {
   if (on_warning_) on_warning_(sentence);
 }
 
-void Progress::scope(double from, double to) {
+void Progress::scope(double from, double to, const std::string& part) {
   const std::lock_guard lock(mutex_);
+  part_ = part;
   scope_from_ = from;
   scope_to_ = to;
 }
@@ -62,7 +63,7 @@ void Progress::report(bool always) {
   const double done = static_cast<double>(done_.load(std::memory_order_relaxed));
   const double step = std::min(1.0, done / static_cast<double>(total_));
   const double stage = from_ + (to_ - from_) * step;
-  listener_({scope_from_ + (scope_to_ - scope_from_) * stage, phrase_});
+  listener_({scope_from_ + (scope_to_ - scope_from_) * stage, phrase_, part_});
 }
 
 }  // namespace bosk

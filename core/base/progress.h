@@ -16,10 +16,11 @@ struct Cancelled {};
 struct ProgressReport {
   double fraction = 0.0;
   std::string phrase;
+  std::string part;  // of the job that runs, where it has named parts: a stage
 };
 
-// All that a stage sees of its job: fraction, phrase, warnings, cancellation. `begin`, `warn` and the
-// listeners are called from one thread at a time; `advance` and `check` from any thread.
+// All that a stage sees of its job: fraction, phrase, warnings, cancellation. `begin`, `warn` and
+// the listeners are called from one thread at a time; `advance` and `check` from any thread.
 class Progress {
  public:
   using Listener = std::function<void(const ProgressReport&)>;
@@ -42,7 +43,7 @@ class Progress {
   // One sentence for the user about something that went less well than it could.
   void warn(const std::string& sentence);
   // Maps what follows (begin's from and to) into [from, to] of the job: for a stage run as a part.
-  void scope(double from, double to);
+  void scope(double from, double to, const std::string& part = {});
 
   // Asks the job to stop; safe from any thread and from a signal handler.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -54,7 +55,7 @@ class Progress {
   Listener listener_;
   WarningListener on_warning_;
   std::mutex mutex_;
-  std::string phrase_;
+  std::string phrase_, part_;
   double scope_from_ = 0.0, scope_to_ = 1.0, from_ = 0.0, to_ = 1.0;
   std::size_t total_ = 1;
   std::atomic<std::size_t> done_{0};

@@ -7,9 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/system_error.h"
-#include "core/image/colour.h"
 #include "core/image/image_io.h"
-#include "core/matte/foreground.h"
 #include "core/photo/resample.h"
 
 namespace bosk {
@@ -68,18 +66,11 @@ std::vector<FittedMatte> fitted_mattes(const std::vector<SourceFile>& files, con
   return mattes;
 }
 
-// The photo's colours freed from the background that shines through where alpha is partial.
-void add_colour(Image<glm::vec4>& rgba, const Photo& photo, Progress& progress) {
-  Image<glm::vec3> linear(photo.srgb.width(), photo.srgb.height());
-  Image<float> alpha(photo.srgb.width(), photo.srgb.height());
-  for (std::size_t i = 0; i < rgba.size(); ++i) {
-    linear.data()[i] = linear_from_srgb(photo.srgb.data()[i]);
-    alpha.data()[i] = rgba.data()[i].a;
-  }
-  const Image<glm::vec3> front = estimate_foreground(linear, alpha, progress);
-  for (std::size_t i = 0; i < rgba.size(); ++i) {
-    rgba.data()[i] = glm::vec4(srgb_from_linear(front.data()[i]), rgba.data()[i].a);
-  }
+Image<float> alpha_of(const Image<glm::vec4>& rgba) {
+  Image<float> alpha(rgba.width(), rgba.height());
+  std::transform(rgba.pixels().begin(), rgba.pixels().end(), alpha.pixels().begin(),
+                 [](const glm::vec4& pixel) { return pixel.a; });
+  return alpha;
 }
 
 std::size_t rows_to_colour(const std::vector<FittedMatte>& mattes) {
@@ -107,8 +98,10 @@ Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
   progress.begin("Colours of mattes", rows_to_colour(fitted), 0.6, 1.0);
   Mattes mattes;
   for (std::size_t i = 0; i < photos.size(); ++i) {
-    if (!fitted[i].has_colour) add_colour(fitted[i].rgba, photos[i], progress);
-    mattes.push_back({photos[i].name, std::move(fitted[i].rgba)});
+    mattes.push_back(fitted[i].has_colour
+                         ? Matte{photos[i].name, std::move(fitted[i].rgba)}
+                         : matte_from_alpha(photos[i], alpha_of(fitted[i].rgba), progress));
+    fitted[i].rgba = {};
   }
   return mattes;
 }

@@ -104,8 +104,8 @@ class Runner {
 
   void begin_share(const Stage& stage) {
     const double total = std::max(total_share_, done_share_ + stage.share);
-    progress_.scope(done_share_ / total, (done_share_ + stage.share) / total);
-    progress_.begin(stage.title, 1);
+    progress_.scope(done_share_ / total, (done_share_ + stage.share) / total, stage.title);
+    progress_.begin("starting", 1);
     done_share_ += stage.share;
   }
 

@@ -140,7 +140,7 @@ TEST_F(RunStages, KeepFinishedStagesWhenCancelled) {
   Progress* running = nullptr;
   Progress progress(
       [&](const ProgressReport& report) {
-        if (report.phrase == "Opacity") running->cancel();
+        if (report.part == "Opacity") running->cancel();
       },
       {});
   running = &progress;
