@@ -293,7 +293,8 @@ void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& 
       lane.squared_error = 0.0, lane.rays = 0;
     }
     store<N>(adam.nodes, volume);
-    if (after_epoch) after_epoch(-10.0 * std::log10(std::max(squared / (4.0 * count), 1e-12)));
+    if (after_epoch)
+      after_epoch(-10.0 * std::log10(std::max(squared / (4.0 * std::max(count, 1.0)), 1e-12)));
   }
 }
 

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <set>
+#include <string>
 
 #include "ball_scene.h"
 #include "core/base/error.h"

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <string>
 
 #include "ball_scene.h"
 #include "core/base/error.h"
