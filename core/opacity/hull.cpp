@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
@@ -12,8 +14,9 @@
 namespace bosk {
 namespace {
 
-constexpr int kCoarseLevel = 6;       // of the carving that finds the crown
-constexpr double kMarginCells = 1.0;  // kept free around the crown, cells of kCoarseLevel
+constexpr double kUnexplained = 0.03;  // of the silhouettes' pixels may lie outside the hull
+constexpr int kCoarseLevel = 6;        // of the carving that finds the crown
+constexpr double kMarginCells = 1.0;   // kept free around the crown, cells of kCoarseLevel
 
 // The point with the least sum of squared distances to the cameras' rays through their silhouettes.
 glm::dvec3 meeting_point(const std::vector<Silhouette>& silhouettes) {
@@ -104,6 +107,35 @@ std::vector<glm::ivec3> carve(const std::vector<Silhouette>& silhouettes, const 
   return cells;
 }
 
+// Share of all photos' silhouette pixels that no cell's footprint covers.
+double unexplained(const std::vector<Silhouette>& silhouettes, const Cube& cube, int level,
+                   const std::vector<glm::ivec3>& cells) {
+  const double edge = cube.size_m / double(1 << level);
+  std::vector<std::size_t> missed(silhouettes.size());
+  std::size_t all = 0;
+  for (const Silhouette& silhouette : silhouettes) all += silhouette.pixels_above();
+  tbb::parallel_for(std::size_t(0), silhouettes.size(), [&](std::size_t i) {
+    Image<std::uint8_t> covered(silhouettes[i].width(), silhouettes[i].height());
+    for (const glm::ivec3& cell : cells) {
+      const glm::dvec3 lower = cube.origin + glm::dvec3(cell) * edge;
+      const auto rectangle = silhouettes[i].footprint(lower, edge);
+      if (!rectangle) continue;
+      for (int y = std::max(rectangle->y0, 0); y < std::min(rectangle->y1, covered.height()); ++y) {
+        for (int x = std::max(rectangle->x0, 0); x < std::min(rectangle->x1, covered.width());
+             ++x) {
+          covered(x, y) = 1;
+        }
+      }
+    }
+    for (int y = 0; y < covered.height(); ++y) {
+      for (int x = 0; x < covered.width(); ++x) {
+        if (covered(x, y) == 0 && silhouettes[i].count({x, y, x + 1, y + 1}) > 0) ++missed[i];
+      }
+    }
+  });
+  return double(std::accumulate(missed.begin(), missed.end(), std::size_t(0))) / double(all);
+}
+
 }  // namespace
 
 Silhouette::Silhouette(const Camera& pinhole, const Image<glm::vec4>& matte, float alpha_threshold)
@@ -117,39 +149,44 @@ Silhouette::Silhouette(const Camera& pinhole, const Image<glm::vec4>& matte, flo
   }
 }
 
-Silhouette::Verdict Silhouette::look_at(const glm::dvec3& lower_in_world, double edge_m) const {
+std::optional<Silhouette::Rectangle> Silhouette::footprint(const glm::dvec3& lower_in_world,
+                                                           double edge_m) const {
   const RigidTransform& pose = camera_.camera_from_world;
   const glm::dvec3 corner = pose * lower_in_world;
-  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  glm::dvec2 least(1e300), most(-1e300);
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 p = corner + edge_m * (double(i & 1) * pose.rotation[0] +
                                             double(i >> 1 & 1) * pose.rotation[1] +
                                             double(i >> 2) * pose.rotation[2]);
-    if (p.z <= 1e-9) return Verdict::unseen;
+    if (p.z <= 1e-9) return std::nullopt;
     const glm::dvec2 pixel =
         camera_.lens.focal_px * glm::dvec2(p) / p.z + camera_.lens.principal_px;
-    left = std::min(left, pixel.x), right = std::max(right, pixel.x);
-    top = std::min(top, pixel.y), bottom = std::max(bottom, pixel.y);
+    least = glm::min(least, pixel);
+    most = glm::max(most, pixel);
   }
-  const int width = sums_.width() - 1, height = sums_.height() - 1;
-  if (left < -0.5 || top < -0.5 || right > width - 0.5 || bottom > height - 0.5) {
+  least = glm::clamp(glm::floor(least + 0.5), -1e6, 1e6);
+  most = glm::clamp(glm::floor(most + 0.5), -1e6, 1e6);
+  return Rectangle{int(least.x), int(least.y), int(most.x) + 1, int(most.y) + 1};
+}
+
+Silhouette::Verdict Silhouette::look_at(const glm::dvec3& lower_in_world, double edge_m) const {
+  const std::optional<Rectangle> seen = footprint(lower_in_world, edge_m);
+  if (!seen || seen->x0 < 0 || seen->y0 < 0 || seen->x1 > width() || seen->y1 > height()) {
     return Verdict::unseen;
   }
-  const int x0 = int(std::floor(left + 0.5)),
-            x1 = std::min(int(std::floor(right + 0.5)) + 1, width);
-  const int y0 = int(std::floor(top + 0.5)),
-            y1 = std::min(int(std::floor(bottom + 0.5)) + 1, height);
-  const std::uint32_t above = sums_(x1, y1) - sums_(x0, y1) - sums_(x1, y0) + sums_(x0, y0);
-  return above == 0 ? Verdict::empty : Verdict::occupied;
+  return count(*seen) == 0 ? Verdict::empty : Verdict::occupied;
 }
 
 std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,
                                    int level, Progress& progress) {
   for (const double share : {0.75, 0.5, 0.34}) {
-    const auto needed = std::size_t(std::ceil(share * double(silhouettes.size())));
-    std::vector<glm::ivec3> cells =
-        carve(silhouettes, cube, level, std::max<std::size_t>(2, needed), progress);
-    if (!cells.empty()) return cells;
+    const auto needed =
+        std::max<std::size_t>(2, std::size_t(std::ceil(share * double(silhouettes.size()))));
+    const int coarse = std::min(level, kCoarseLevel);
+    std::vector<glm::ivec3> cells = carve(silhouettes, cube, coarse, needed, progress);
+    const bool last = share < 0.4;
+    if (!last && unexplained(silhouettes, cube, coarse, cells) > kUnexplained) continue;
+    return coarse == level ? cells : carve(silhouettes, cube, level, needed, progress);
   }
   return {};
 }

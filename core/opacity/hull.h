@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -23,6 +24,19 @@ class Silhouette {
   // corners, grown to whole pixels) is above the threshold.
   Verdict look_at(const glm::dvec3& lower_in_world, double edge_m) const;
 
+  // Pixels x0 .. x1 - 1, y0 .. y1 - 1.
+  struct Rectangle {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  };
+  // The cube's conservative footprint, which may reach out of the frame; none behind the camera.
+  std::optional<Rectangle> footprint(const glm::dvec3& lower_in_world, double edge_m) const;
+  // How many pixels of a rectangle inside the frame are above the threshold.
+  std::uint32_t count(const Rectangle& r) const {
+    return sums_(r.x1, r.y1) - sums_(r.x0, r.y1) - sums_(r.x1, r.y0) + sums_(r.x0, r.y0);
+  }
+  int width() const { return sums_.width() - 1; }
+  int height() const { return sums_.height() - 1; }
+
   std::uint32_t pixels_above() const { return sums_(sums_.width() - 1, sums_.height() - 1); }
   const Camera& camera() const { return camera_; }
 
@@ -38,10 +52,10 @@ struct Cube {
 };
 
 // Cells of 2^level a side that the hull keeps: no photo sees them empty, and at least
-// max(2, 3/4 of the photos) see them whole (where that leaves nothing: half, then a third; a cell
-// that reaches out of many frames is more likely a ghost between silhouettes than a piece of the
-// tree). Exact with respect to the cells' footprints: a cell is dropped only when the matte is
-// clear all over its footprint in some photo.
+// max(2, 3/4 of the photos) see them whole (where that leaves more than 3 % of the silhouettes
+// unexplained: half, then a third; a cell that reaches out of many frames is more likely a ghost
+// between silhouettes than a piece of the tree). Exact with respect to the cells' footprints: a
+// cell is dropped only when the matte is clear all over its footprint in some photo.
 std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,
                                    int level, Progress& progress);
 

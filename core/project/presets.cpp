@@ -22,9 +22,12 @@ std::string preset_names() {
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
-      {"fast", "a look within a minute", {{"radiance.finer_levels", "0"}, {"radiance.last_epochs", "0"}}},
+      {"fast",
+       "a look within a minute",
+       {{"radiance.finer_levels", "0"}, {"radiance.epochs", "1"}, {"radiance.last_epochs", "0"}}},
       {"default", "the balance that the figures in the README are measured with", {}},
-      {"best", "the best picture, whatever the time and the size",
+      {"best",
+       "the best picture, whatever the time and the size",
        {{"radiance.finer_levels", "2"}, {"radiance.epochs", "3"}}},
   };
   return all;
