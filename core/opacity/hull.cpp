@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -14,7 +15,7 @@
 namespace bosk {
 namespace {
 
-constexpr double kUnexplained = 0.03;  // of the silhouettes' pixels may lie outside the hull
+constexpr double kUnexplained = 0.03;  // of the silhouettes' pixels that a stricter hull may lose
 constexpr int kCoarseLevel = 6;        // of the carving that finds the crown
 constexpr double kMarginCells = 1.0;   // kept free around the crown, cells of kCoarseLevel
 
@@ -179,16 +180,20 @@ Silhouette::Verdict Silhouette::look_at(const glm::dvec3& lower_in_world, double
 
 std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,
                                    int level, Progress& progress) {
-  for (const double share : {0.75, 0.5, 0.34}) {
-    const auto needed =
+  constexpr std::array<double, 3> kShares{0.34, 0.5, 0.75};  // of the photos that see a cell whole
+  const int coarse = std::min(level, kCoarseLevel);
+  std::size_t needed = 2;
+  double least_unexplained = 1.0;
+  for (const double share : kShares) {
+    const auto stricter =
         std::max<std::size_t>(2, std::size_t(std::ceil(share * double(silhouettes.size()))));
-    const int coarse = std::min(level, kCoarseLevel);
-    std::vector<glm::ivec3> cells = carve(silhouettes, cube, coarse, needed, progress);
-    const bool last = share < 0.4;
-    if (!last && unexplained(silhouettes, cube, coarse, cells) > kUnexplained) continue;
-    return coarse == level ? cells : carve(silhouettes, cube, level, needed, progress);
+    const double missed = unexplained(silhouettes, cube, coarse,
+                                      carve(silhouettes, cube, coarse, stricter, progress));
+    if (share == kShares.front()) least_unexplained = missed;
+    if (missed > least_unexplained + kUnexplained) break;
+    needed = stricter;
   }
-  return {};
+  return carve(silhouettes, cube, level, needed, progress);
 }
 
 std::vector<glm::ivec3> carve_children(const std::vector<Silhouette>& silhouettes, const Cube& cube,

@@ -52,10 +52,11 @@ struct Cube {
 };
 
 // Cells of 2^level a side that the hull keeps: no photo sees them empty, and at least
-// max(2, 3/4 of the photos) see them whole (where that leaves more than 3 % of the silhouettes
-// unexplained: half, then a third; a cell that reaches out of many frames is more likely a ghost
-// between silhouettes than a piece of the tree). Exact with respect to the cells' footprints: a
-// cell is dropped only when the matte is clear all over its footprint in some photo.
+// max(2, 3/4 of the photos) see them whole. Where that explains over 3 % less of the silhouettes
+// than a third of the photos would, half or a third are enough: frames cut the tree off. A cell
+// that reaches out of many frames is else more likely a ghost between silhouettes than a piece of
+// the tree. Exact with respect to the cells' footprints: a cell is dropped only when the matte is
+// clear all over its footprint in some photo.
 std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,
                                    int level, Progress& progress);
 
