@@ -39,20 +39,19 @@ Keys stage_keys(const Capture& capture, const Recipe& recipe) {
 class Runner {
  public:
   Runner(const Project& project, const Capture& capture, const std::vector<std::string>& wanted,
-         Progress& progress, Share share)
+         Progress& progress)
       : capture_(capture),
         recipe_(project.recipe),
         keys_(stage_keys(capture, project.recipe)),
         cache_(project.cache_folder()),
         wanted_(wanted.begin(), wanted.end()),
-        progress_(progress),
-        share_(share) {
+        progress_(progress) {
     for (const std::string& stage : wanted) plan(stage_named(stage));
   }
 
   Run run() {
     for (const std::string& stage : wanted_) obtain(stage_named(stage));
-    progress_.scope(share_.to, share_.to);
+    progress_.scope(0.0, 1.0);
     return std::move(run_);
   }
 
@@ -105,9 +104,7 @@ class Runner {
 
   void begin_share(const Stage& stage) {
     const double total = std::max(total_share_, done_share_ + stage.share);
-    const double width = (share_.to - share_.from) / total;
-    progress_.scope(share_.from + width * done_share_,
-                    share_.from + width * (done_share_ + stage.share), stage.title);
+    progress_.scope(done_share_ / total, (done_share_ + stage.share) / total, stage.title);
     progress_.begin("starting", 1);
     done_share_ += stage.share;
   }
@@ -142,7 +139,6 @@ class Runner {
   Cache cache_;
   std::set<std::string> wanted_;
   Progress& progress_;
-  Share share_;
   Run run_;
   std::set<std::string> to_compute_;
   double total_share_ = 0.0, done_share_ = 0.0;
@@ -171,8 +167,8 @@ std::vector<StageTime> times_spent(const Project& project, const Capture& captur
 }
 
 Run run_stages(const Project& project, const Capture& capture,
-               const std::vector<std::string>& wanted, Progress& progress, Share share) {
-  return Runner(project, capture, wanted, progress, share).run();
+               const std::vector<std::string>& wanted, Progress& progress) {
+  return Runner(project, capture, wanted, progress).run();
 }
 
 }  // namespace bosk

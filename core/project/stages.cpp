@@ -149,9 +149,7 @@ Stage matte_stage() {
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
                      Progress& progress) {
-    const Photos& all = results.imported->photos;
-    const Photos some = capture.left_out.empty() ? Photos() : kept(all, capture.left_out, true);
-    const Photos& photos = capture.left_out.empty() ? all : some;
+    const Photos photos = kept(results.imported->photos, capture.left_out, true);
     results.mattes = shared(made_mattes(capture, recipe, photos, progress));
   };
   hold<Mattes>(stage, &Results::mattes, write_stored, read_stored_mattes);
