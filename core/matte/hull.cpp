@@ -16,8 +16,8 @@ constexpr int kVoxels = 64;           // along each edge of the cube
 constexpr int kGridSize = 64;         // cells along the longer side of a photo
 constexpr std::size_t kFewest = 4;    // photos
 constexpr double kForgiven = 0.1;     // share of the photos that may miss the tree at a place
-constexpr float kThinTree = 0.06f;    // mean alpha that thin outer twigs still reach
-constexpr float kLeastMean = 0.004f;  // bounds the doubt: log(kLeastMean / kThinTree) = -2.7
+constexpr float kThinTree = 0.1f;     // mean alpha that thin outer twigs still reach
+constexpr float kLeastMean = 0.004f;  // bounds the doubt: log(kLeastMean / kThinTree) = -3.2
 constexpr double kLeastSpread =
     0.05;  // smallest eigenvalue of how the view axes spread; about 18 degrees
 
@@ -75,7 +75,7 @@ std::optional<GridPixel> cell_of(const Photo& photo, const glm::dvec3& point, in
   return GridPixel{int(u), int(v)};
 }
 
-// What nearly all photos that show a place agree on at least; 1 where too few show it to tell.
+// What nearly all photos that show a place agree on at least; 0 where fewer than half show it.
 float agreed_alpha(const Photos& photos, const std::vector<Image<float>>& mean_alpha,
                    const glm::dvec3& point, std::vector<float>& seen) {
   seen.clear();
@@ -83,7 +83,7 @@ float agreed_alpha(const Photos& photos, const std::vector<Image<float>>& mean_a
     const auto cell = cell_of(photos[i], point, mean_alpha[i].width(), mean_alpha[i].height());
     if (cell) seen.push_back(mean_alpha[i](cell->x, cell->y));
   }
-  if (2 * seen.size() < photos.size()) return 1.0f;
+  if (2 * seen.size() < photos.size()) return 0.0f;
   const auto rank = seen.begin() + std::ptrdiff_t(kForgiven * double(seen.size()));
   std::nth_element(seen.begin(), rank, seen.end());
   return *rank;

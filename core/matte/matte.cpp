@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kRowSteps =
     4;  // CIELab, alpha, its refinement and the foreground count a photo's rows
 constexpr std::size_t kStudyRows = 1500;  // about, of the samples of one photo
+constexpr int kHullRounds = 2;
 constexpr double kWorseFit = 4.0;  // natural logarithm, mean per pixel, below the teacher's own fit
 constexpr float kStrangeGain =
     3.0f;  // a factor in linear light that a session's photos rarely differ by
@@ -49,17 +50,17 @@ Matte matte_from_linear(const std::string& name, const Image<glm::vec3>& linear,
 }
 
 void warn_of_fit(const Photo& photo, const Study& study, Progress& progress) {
-  if (study.teacher->photo == &photo) return;
-  const float most = std::max({study.gain.r, study.gain.g, study.gain.b});
-  const float least = std::min({study.gain.r, study.gain.g, study.gain.b});
+  if (study.lesson.teacher->photo == &photo) return;
+  const float most = std::max({study.lesson.gain.r, study.lesson.gain.g, study.lesson.gain.b});
+  const float least = std::min({study.lesson.gain.r, study.lesson.gain.g, study.lesson.gain.b});
   const std::string remedy =
       "; look at its matte and, if it is wrong, draw a few strokes over this photo too";
   if (most > kStrangeGain || least < 1.0f / kStrangeGain) {
     progress.warn("photo " + photo.name + " is exposed very differently from the scribbled photo " +
-                  study.teacher->photo->name + remedy);
-  } else if (study.likelihood < study.teacher->likelihood - kWorseFit) {
+                  study.lesson.teacher->photo->name + remedy);
+  } else if (study.lesson.likelihood < study.lesson.teacher->likelihood - kWorseFit) {
     progress.warn("photo " + photo.name + " has colours that the strokes over " +
-                  study.teacher->photo->name + " do not cover" + remedy);
+                  study.lesson.teacher->photo->name + " do not cover" + remedy);
   }
 }
 
@@ -105,6 +106,15 @@ std::vector<Study> study_all(const Photos& photos, const Scribbles& scribbles,
   return studies;
 }
 
+void compare_photos(const Photos& photos, const MatteOptions& options, std::vector<Study>& studies,
+                    Progress& progress) {
+  std::vector<Image<float>> outlines;
+  for (const Study& study : studies) outlines.push_back(study.outline);
+  const auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
+  for (std::size_t i = 0; i < tilts.size(); ++i)
+    study_again(photos[i], tilts[i], options, studies[i], progress);
+}
+
 void require_pixels(const Photos& photos) {
   for (const Photo& photo : photos) {
     if (photo.srgb.empty())
@@ -112,9 +122,9 @@ void require_pixels(const Photos& photos) {
   }
 }
 
-Matte matte_photo(const Photo& photo, const Study& study, const Image<float>& hull_tilt,
-                  const MatteOptions& options, Progress& progress) {
-  Image<float> alpha = alpha_of_photo(photo, study, hull_tilt, options, progress);
+Matte matte_photo(const Photo& photo, const Study& study, const MatteOptions& options,
+                  Progress& progress) {
+  Image<float> alpha = alpha_of_photo(photo, study, options, progress);
   const Image<glm::vec3> linear = linear_light(photo.srgb, progress);
   refine_locally(linear, float(options.local_caution), alpha, progress);
   stretch_ends(alpha, float(options.clear_below), float(options.opaque_above));
@@ -131,21 +141,21 @@ Matte matte_from_alpha(const Photo& photo, const Image<float>& alpha, Progress& 
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress) {
   require_pixels(photos);
-  const double share = 1.0 / double(std::max<std::size_t>(1, photos.size()));
   progress.begin("Colours of the strokes", rows_of_scribbled(photos, scribbles), 0.0, 0.1);
   const auto teachers = learn_from_scribbles(photos, scribbles, options, progress);
-  if (teachers.empty())
+  if (teachers.empty()) {
     throw Error("no photo has strokes; draw some over one photo, or import mattes");
-  const auto studies = study_all(photos, scribbles, teachers, options, progress);
-  std::vector<Image<float>> means;
-  for (const Study& study : studies) means.push_back(study.mean_alpha);
-  auto hull = hull_tilts(photos, means, float(options.hull_weight), progress);
-  hull.resize(photos.size());
+  }
+  auto studies = study_all(photos, scribbles, teachers, options, progress);
+  progress.begin("What all photos agree on", kHullRounds * kStudyRows * photos.size(), 0.3, 0.5);
+  for (int round = 0; round < kHullRounds; ++round)
+    compare_photos(photos, options, studies, progress);
+  const double share = 0.5 / double(std::max<std::size_t>(1, photos.size()));
   Mattes mattes;
   for (std::size_t i = 0; i < photos.size(); ++i) {
     progress.begin("Matte of " + photos[i].name, kRowSteps * std::size_t(photos[i].srgb.height()),
-                   0.3 + 0.7 * share * double(i), 0.3 + 0.7 * share * double(i + 1));
-    mattes.push_back(matte_photo(photos[i], studies[i], hull[i], options, progress));
+                   0.5 + share * double(i), 0.5 + share * double(i + 1));
+    mattes.push_back(matte_photo(photos[i], studies[i], options, progress));
   }
   return mattes;
 }

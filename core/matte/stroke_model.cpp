@@ -114,6 +114,13 @@ LabPlanes lab_planes(const Image<glm::vec3>& srgb, const glm::vec3& gain, int st
   return planes;
 }
 
+std::vector<StrokeCluster> learn_clusters(const LabPlanes& lab, const Image<std::uint8_t>& strokes,
+                                          std::uint8_t kind, int clusters) {
+  const auto pixels = pixels_under(strokes, kind);
+  return locate(cluster_colours(colours_of(lab, pixels), clusters, kLeastVariance).clusters, lab,
+                pixels);
+}
+
 StrokeModel learn_strokes(const LabPlanes& lab, const Image<std::uint8_t>& strokes, int clusters) {
   const auto clusters_of = [&](const std::vector<std::size_t>& pixels) {
     return cluster_colours(colours_of(lab, pixels), clusters, kLeastVariance).clusters;

@@ -28,10 +28,14 @@ struct StrokeCluster {
   Image<float> squared_distance;
 };
 
-// What the strokes over one photo teach.
+// What the strokes over one photo teach. All distance grids have one size.
 struct StrokeModel {
   std::vector<StrokeCluster> foreground, background;
 };
+
+// Clusters of one kind of stroke; none without such strokes.
+std::vector<StrokeCluster> learn_clusters(const LabPlanes& lab, const Image<std::uint8_t>& strokes,
+                                          std::uint8_t kind, int clusters);
 
 // Clusters of both kinds of stroke. Foreground pixels whose colour is far more common under the
 // background strokes are dropped first: hurried strokes run over gaps in the crown. `strokes` has

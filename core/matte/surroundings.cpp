@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kStrokeWeight = 4.0f;   // of a stroke's pixel against an estimated one
 constexpr float kMostCertain = 0.005f;  // mean alpha is never believed to be nearer to 0 or 1
+constexpr float kHardFrom = 0.4f, kHardTo = 0.8f;
 constexpr float kNearDistance =
     0.02f;  // diagonals; closer than this to a stroke makes no difference
 
@@ -22,7 +23,10 @@ struct WeighedAlpha {
 WeighedAlpha weighed(float alpha, std::uint8_t stroke) {
   if (stroke == kForegroundStroke) return {1.0f, kStrokeWeight};
   if (stroke == kBackgroundStroke) return {0.0f, kStrokeWeight};
-  return {alpha, 1.0f};
+  // A constant half-tone is a background colour that no stroke shows: crowns are leaf by leaf clear
+  // or opaque
+  const float opaque = std::clamp((alpha - kHardFrom) / (kHardTo - kHardFrom), 0.0f, 1.0f);
+  return {opaque, 1.0f};
 }
 
 float nearest(const std::vector<StrokeCluster>& clusters, std::size_t cell) {
@@ -73,13 +77,19 @@ Image<float> position_tilt(const StrokeModel& model, float weight) {
   return tilt;
 }
 
-Image<float> sum_of_grids(const Image<float>& a, const Image<float>& b) {
-  Image<float> sum = a;
-  for (int y = 0; y < a.height(); ++y) {
-    const GridPlace row = grid_place(y, a.height(), b.height());
-    for (int x = 0; x < a.width(); ++x)
-      sum(x, y) += GridPoint{grid_place(x, a.width(), b.width()), row}.sample(b);
+Image<float> stretched(const Image<float>& grid, int width, int height) {
+  Image<float> result(width, height);
+  for (int y = 0; y < height; ++y) {
+    const GridPlace row = grid_place(y, height, grid.height());
+    for (int x = 0; x < width; ++x)
+      result(x, y) = GridPoint{grid_place(x, width, grid.width()), row}.sample(grid);
   }
+  return result;
+}
+
+Image<float> sum_of_grids(const Image<float>& a, const Image<float>& b) {
+  Image<float> sum = stretched(b, a.width(), a.height());
+  for (std::size_t i = 0; i < sum.size(); ++i) sum.data()[i] += a.data()[i];
   return sum;
 }
 

@@ -20,6 +20,9 @@ Image<float> region_tilt(const Image<float>& mean_alpha, float weight);
 // `weight`.
 Image<float> position_tilt(const StrokeModel& model, float weight);
 
+// The grid stretched to another number of cells.
+Image<float> stretched(const Image<float>& grid, int width, int height);
+
 // a + b, b stretched to the grid of a.
 Image<float> sum_of_grids(const Image<float>& a, const Image<float>& b);
 

@@ -1,6 +1,6 @@
 // Time and error of mattes together.
 //
-//   matte_benchmark PHOTOS STROKES TRUTH [OUT] [--matte.option=value ...]
+//   matte_benchmark PHOTOS STROKES TRUTH [OUT] [--cameras=FILE] [--matte.option=value ...]
 //
 // Folders of images that match by name without ending. TRUTH holds one channel or RGBA. Photos
 // without strokes are matted from those that have some. Prints CPU and wall seconds per megapixel
@@ -21,6 +21,7 @@
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "core/matte/matte.h"
+#include "core/photo/camera_files.h"
 
 namespace {
 
@@ -109,7 +110,19 @@ void apply_option(MatteOptions& options, const std::string& argument) {
   throw Error(argument + ": no such option");
 }
 
-void run(const std::vector<std::string>& folders, const MatteOptions& options) {
+// The poses; the lens only as a pinhole, since the photos are used as they are.
+void place(Photos& photos, const std::string& cameras_path) {
+  for (const Camera& camera : read_cameras(cameras_path)) {
+    for (Photo& photo : photos) {
+      if (photo.name != camera.name) continue;
+      photo.camera = camera;
+      photo.camera.lens = undistorted(scaled(camera.lens, photo.srgb.width(), photo.srgb.height()));
+    }
+  }
+}
+
+void run(const std::vector<std::string>& folders, const std::string& cameras_path,
+         const MatteOptions& options) {
   Photos photos;
   Scribbles scribbles;
   double megapixels = 0.0;
@@ -117,6 +130,7 @@ void run(const std::vector<std::string>& folders, const MatteOptions& options) {
     photos.push_back(read_photo(name, path));
     megapixels += double(photos.back().srgb.size()) / 1e6;
   }
+  if (!cameras_path.empty()) place(photos, cameras_path);
   for (const auto& [name, path] : files_by_name(folders[1])) scribbles[name] = read_strokes(path);
   Progress progress(
       {}, [](const std::string& sentence) { std::printf("warning: %s\n", sentence.c_str()); });
@@ -149,19 +163,24 @@ void run(const std::vector<std::string>& folders, const MatteOptions& options) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> folders;
+  std::string cameras;
   MatteOptions options;
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string argument = argv[i];
-      if (argument.starts_with("--")) {
+      if (argument.starts_with("--cameras=")) {
+        cameras = argument.substr(10);
+      } else if (argument.starts_with("--")) {
         apply_option(options, argument);
       } else {
         folders.push_back(argument);
       }
     }
     if (folders.size() < 3)
-      throw Error("usage: matte_benchmark PHOTOS STROKES TRUTH [OUT] [--matte.option=value ...]");
-    run(folders, options);
+      throw Error(
+          "usage: matte_benchmark PHOTOS STROKES TRUTH [OUT] [--cameras=FILE] "
+          "[--matte.option=value ...]");
+    run(folders, cameras, options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "matte_benchmark: %s\n", error.what());
     return 1;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "core/matte/alpha.h"
+#include "core/matte/matte.h"
+#include "core/matte/stroke_model.h"
+
+namespace bosk {
+
+// A scribbled photo and what its strokes teach.
+struct Teacher {
+  const Photo* photo = nullptr;
+  StrokeModel model;
+  double likelihood = 0.0;  // mean over its own pixels, natural logarithm
+};
+
+// In the order of the photos. Throws Error for strokes of one kind or of another size than the
+// photo.
+std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles& scribbles,
+                                          const MatteOptions& options, Progress& progress);
+
+// Whose colours explain the photo best, and the gain that brings its linear light to their
+// exposure.
+struct Lesson {
+  const Teacher* teacher = nullptr;
+  glm::vec3 gain{1.0f};
+  double likelihood = 0.0;  // mean over the photo's pixels, natural logarithm
+};
+
+// A scribbled photo is its own teacher. `teachers` is not empty.
+Lesson choose_teacher(const Photo& photo, const std::vector<Teacher>& teachers,
+                      const MatteOptions& options, Progress& progress);
+
+AlphaSettings alpha_settings(bool own_strokes, const MatteOptions& options);
+
+// The step at which about `sample` pixels of the image are visited.
+int step_for(const Image<glm::vec3>& image, double sample);
+
+}  // namespace bosk

@@ -1,0 +1,79 @@
+#include "core/matte/hull.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bosk {
+namespace {
+
+// Looks from 10 m at the origin, camera axes x right, y down, z forward, world z up.
+Photo photo_from(double angle) {
+  Photo photo;
+  photo.camera.lens = {LensModel::pinhole, 128, 128, glm::dvec2(128.0), glm::dvec2(63.5), {}};
+  const glm::dvec3 forward(-std::cos(angle), -std::sin(angle), 0.0), down(0.0, 0.0, -1.0);
+  const glm::dvec3 right = glm::cross(down, forward);
+  photo.camera.camera_from_world.rotation = glm::transpose(glm::dmat3(right, down, forward));
+  photo.camera.camera_from_world.translation = {0.0, 0.0, 10.0};
+  return photo;
+}
+
+Image<float> disc_in_the_middle() {
+  Image<float> mean(64, 64);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) mean(x, y) = std::hypot(x - 31.5, y - 31.5) < 12.0 ? 0.9f : 0.0f;
+  }
+  return mean;
+}
+
+struct Ring {
+  Photos photos;
+  std::vector<Image<float>> means;
+};
+
+Ring ring_of(int count, double arc) {
+  Ring ring;
+  for (int i = 0; i < count; ++i) {
+    ring.photos.push_back(photo_from(arc * i / count));
+    ring.means.push_back(disc_in_the_middle());
+  }
+  return ring;
+}
+
+TEST(HullTilts, DoubtWhatOnePhotoAloneHoldsForTree) {
+  Ring ring = ring_of(12, 6.283);
+  for (int y = 28; y < 36; ++y) {
+    for (int x = 2; x < 8; ++x) ring.means[5](x, y) = 0.9f;  // a distant tree beside ours
+  }
+  Progress progress;
+  const auto tilts = hull_tilts(ring.photos, ring.means, 1.0f, progress);
+  ASSERT_EQ(tilts.size(), 12u);
+  EXPECT_LT(tilts[5](5, 32), -2.0f);
+  EXPECT_EQ(tilts[5](32, 32), 0.0f);
+}
+
+TEST(HullTilts, LeaveTheTreeWhereOnePhotoOfManyMissedIt) {
+  Ring ring = ring_of(12, 6.283);
+  ring.means[3] = Image<float>(64, 64);
+  Progress progress;
+  const auto tilts = hull_tilts(ring.photos, ring.means, 1.0f, progress);
+  EXPECT_EQ(tilts[3](32, 32), 0.0f);
+}
+
+TEST(HullTilts, SayNothingWithoutAWalkRoundTheTree) {
+  Progress progress;
+  const Ring frontal = ring_of(12, 0.3), few = ring_of(3, 6.283), around = ring_of(12, 6.283);
+  EXPECT_TRUE(hull_tilts(frontal.photos, frontal.means, 1.0f, progress).empty());
+  EXPECT_TRUE(hull_tilts(few.photos, few.means, 1.0f, progress).empty());
+  EXPECT_TRUE(hull_tilts(around.photos, around.means, 0.0f, progress).empty());
+}
+
+TEST(HullTilts, SayNothingForPhotosWithoutCameras) {
+  Ring ring = ring_of(12, 6.283);
+  for (Photo& photo : ring.photos) photo.camera = Camera{};
+  Progress progress;
+  EXPECT_TRUE(hull_tilts(ring.photos, ring.means, 1.0f, progress).empty());
+}
+
+}  // namespace
+}  // namespace bosk
