@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@ constexpr double kSteadyFraction = 0.05;  // of the job, before remaining time i
 constexpr double kSteadySeconds = 3.0;
 constexpr auto kLineInterval = std::chrono::seconds(1);       // at least, between two lines
 constexpr auto kSameLineInterval = std::chrono::seconds(10);  // that say the same
+constexpr double kEstimateSeconds = 5.0;  // over which estimates of the time left are averaged
 constexpr int kBarCells = 24;
 
 std::string minutes(double seconds) {
@@ -66,8 +68,9 @@ void Console::result(const std::string& text, const nlohmann::json& value) {
   if (!std::cout) throw Error("standard output: cannot be written", ErrorKind::resource);
 }
 
-void Console::show(const ProgressReport& report) {
+void Console::show(ProgressReport report) {
   if (options_.quiet) return;
+  report.fraction = furthest_ = std::max(furthest_, report.fraction);
   if (terminal_) {
     show_bar(report);
   } else {
@@ -107,7 +110,11 @@ std::string Console::times(double fraction) {
   const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
   if (fraction < kSteadyFraction || spent < kSteadySeconds) return minutes(spent);
   const double estimate = spent * (1.0 - fraction) / fraction;
-  left_s_ = left_s_ < 0.0 ? estimate : 0.9 * left_s_ + 0.1 * estimate;
+  // Counts down by itself, and turns to a new estimate within a few seconds rather than at once
+  const double since = spent - left_told_s_;
+  const double trust = left_s_ < 0.0 ? 1.0 : 1.0 - std::exp(-since / kEstimateSeconds);
+  left_s_ += trust * (estimate - left_s_) - (1.0 - trust) * std::min(since, left_s_);
+  left_told_s_ = spent;
   return minutes(spent) + ", about " + minutes(left_s_) + " left";
 }
 

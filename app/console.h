@@ -34,7 +34,8 @@ class Console {
   void result(const std::string& text, const nlohmann::json& value);
 
  private:
-  void show(const ProgressReport& report);
+  // Never goes back, also where a stage begins a second step.
+  void show(ProgressReport report);
   void show_bar(const ProgressReport& report);
   void show_line(const ProgressReport& report);
   void clear_bar();
@@ -49,7 +50,9 @@ class Console {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_line_{};
   std::string last_what_, last_part_;
+  double furthest_ = 0.0;
   double left_s_ = -1.0;  // smoothed; negative before there is an estimate
+  double left_told_s_ = 0.0;
   Progress progress_;
 };
 

@@ -14,6 +14,10 @@ namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of the time that an evaluation takes, roughly.
+constexpr Share kTruthShare{0.0, 0.1}, kPackageShare{0.1, 0.95}, kScoreShare{0.95, 1.0};
+
 using Picture = Image<glm::u8vec4>;
 
 struct TrueView {
@@ -30,8 +34,9 @@ void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Con
   std::vector<NamedScore> scores;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& [camera, truth] = views[i];
-    console.progress().scope(double(i) / double(views.size()),
-                             double(i + 1) / double(views.size()));
+    const double width = (kScoreShare.to - kScoreShare.from) / double(views.size());
+    console.progress().scope(kScoreShare.from + width * double(i),
+                             kScoreShare.from + width * double(i + 1), "Scores");
     const Picture rendered =
         rgba8_from_straight(render_tree(evaluation.tree, camera, {}, console.progress()));
     const ViewScore score = score_view(rendered, truth);
@@ -42,7 +47,7 @@ void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Con
 }
 
 void make_package(Evaluation& evaluation, ProjectWork& work, const Capture& capture) {
-  const Run run = work.run(capture, {"pack"});
+  const Run run = work.run(capture, {"pack"}, kPackageShare);
   evaluation.package_bytes = run.results.package->size();
   evaluation.tree = read_tree(*run.results.package, work.project().name());
   evaluation.times = times_spent(work.project(), capture);
@@ -51,8 +56,8 @@ void make_package(Evaluation& evaluation, ProjectWork& work, const Capture& capt
 std::vector<TrueView> held_out_views(ProjectWork& work, const std::set<std::string>& names) {
   // Imported mattes stand alone; those made from strokes need the photos that strokes were drawn on
   const bool imported = !work.capture().mattes.empty();
-  const Run run =
-      work.run(imported ? with_only(work.capture(), names) : work.capture(), {"view", "matte"});
+  const Run run = work.run(imported ? with_only(work.capture(), names) : work.capture(),
+                           {"view", "matte"}, kTruthShare);
   std::vector<TrueView> views;
   for (std::size_t i = 0; i < run.results.views->size(); ++i) {
     const Photo& view = (*run.results.views)[i];

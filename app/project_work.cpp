@@ -1,5 +1,7 @@
 #include "app/project_work.h"
 
+#include <algorithm>
+
 #include "core/project/cache.h"
 
 namespace bosk {
@@ -36,9 +38,12 @@ bool ProjectWork::is_finished(const std::string& stage) const {
   return bosk::is_finished(project_, capture_, stage);
 }
 
-Run ProjectWork::run(const Capture& capture, const std::vector<std::string>& wanted) {
-  lock();
-  return run_stages(project_, capture, wanted, console_.progress());
+Run ProjectWork::run(const Capture& capture, const std::vector<std::string>& wanted, Share share) {
+  const bool all_there = std::all_of(wanted.begin(), wanted.end(), [&](const std::string& stage) {
+    return bosk::is_finished(project_, capture, stage);
+  });
+  if (!all_there) lock();
+  return run_stages(project_, capture, wanted, console_.progress(), share);
 }
 
 void ProjectWork::lock() {

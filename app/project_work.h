@@ -25,8 +25,8 @@ class ProjectWork {
 
   bool is_finished(const std::string& stage) const;
   Run run(const std::vector<std::string>& wanted) { return run(capture_, wanted); }
-  // On other inputs than the project's own: with photos left out.
-  Run run(const Capture& capture, const std::vector<std::string>& wanted);
+  // On other inputs than the project's own, with photos left out, as a share of the job.
+  Run run(const Capture& capture, const std::vector<std::string>& wanted, Share share = {});
 
  private:
   void lock();

@@ -42,8 +42,8 @@ class BinaryWriter {
   std::vector<std::byte> bytes_;
 };
 
-// Reads what BinaryWriter wrote, in the same order. Throws Error when the bytes run out or a count is
-// larger than what is left.
+// Reads what BinaryWriter wrote, in the same order. Throws Error when the bytes run out or a count
+// is larger than what is left.
 class BinaryReader {
  public:
   explicit BinaryReader(std::span<const std::byte> bytes) : bytes_(bytes) {}

@@ -45,8 +45,20 @@ void Progress::warn(const std::string& sentence) {
 void Progress::scope(double from, double to, const std::string& part) {
   const std::lock_guard lock(mutex_);
   part_ = part;
-  scope_from_ = from;
-  scope_to_ = to;
+  scope_ = {from, to};
+}
+
+Progress::Scope Progress::enter(double from, double to) {
+  const std::lock_guard lock(mutex_);
+  const Scope outer = scope_;
+  const double width = outer.to - outer.from;
+  scope_ = {outer.from + width * from, outer.from + width * to};
+  return outer;
+}
+
+void Progress::leave(const Scope& outer) {
+  const std::lock_guard lock(mutex_);
+  scope_ = outer;
 }
 
 void Progress::report(bool always) {
@@ -63,7 +75,7 @@ void Progress::report(bool always) {
   const double done = static_cast<double>(done_.load(std::memory_order_relaxed));
   const double step = std::min(1.0, done / static_cast<double>(total_));
   const double stage = from_ + (to_ - from_) * step;
-  listener_({scope_from_ + (scope_to_ - scope_from_) * stage, phrase_, part_});
+  listener_({scope_.from + (scope_.to - scope_.from) * stage, phrase_, part_});
 }
 
 }  // namespace bosk

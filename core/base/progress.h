@@ -45,6 +45,13 @@ class Progress {
   // Maps what follows (begin's from and to) into [from, to] of the job: for a stage run as a part.
   void scope(double from, double to, const std::string& part = {});
 
+  // As scope, but within the present one; gives that back for `leave`. See ProgressPart.
+  struct Scope {
+    double from = 0.0, to = 1.0;
+  };
+  Scope enter(double from, double to);
+  void leave(const Scope& outer);
+
   // Asks the job to stop; safe from any thread and from a signal handler.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
@@ -56,11 +63,27 @@ class Progress {
   WarningListener on_warning_;
   std::mutex mutex_;
   std::string phrase_, part_;
-  double scope_from_ = 0.0, scope_to_ = 1.0, from_ = 0.0, to_ = 1.0;
+  Scope scope_;
+  double from_ = 0.0, to_ = 1.0;
   std::size_t total_ = 1;
   std::atomic<std::size_t> done_{0};
   std::atomic<long long> last_report_ns_{0};
   std::atomic<bool> cancelled_{false};
+};
+
+// While it lives, what follows fills only [from, to] of what it would have filled: for a function
+// that calls others which each report from 0 to 1. Parts may lie in parts.
+class ProgressPart {
+ public:
+  ProgressPart(Progress& progress, double from, double to)
+      : progress_(progress), outer_(progress.enter(from, to)) {}
+  ~ProgressPart() { progress_.leave(outer_); }
+  ProgressPart(const ProgressPart&) = delete;
+  ProgressPart& operator=(const ProgressPart&) = delete;
+
+ private:
+  Progress& progress_;
+  Progress::Scope outer_;
 };
 
 }  // namespace bosk

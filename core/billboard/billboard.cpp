@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/billboard/bake.h"
@@ -13,6 +14,7 @@
 namespace bosk {
 namespace {
 
+constexpr double kBakingShare = 0.7;  // of a level's time, beside pruning: for the progress
 constexpr float kCubeSide =
     1.5f;  // a cube seen from any side up to 30 degrees above fits the square
 
@@ -125,24 +127,32 @@ Billboards bake_billboards(const RadianceVolume& volume, const std::vector<Camer
   std::vector<std::uint32_t> all_views(result.view_positions.size());
   std::iota(all_views.begin(), all_views.end(), 0u);
 
+  const int coarsest = std::min(options.coarsest_level, volume.grid.level());
+  const double level_share =
+      1.0 / (volume.grid.level() - coarsest + 2);  // hidden cells count as one
+  std::optional<ProgressPart> part(std::in_place, progress, 0.0, level_share);
   const RadianceVolume visible =
       without_hidden(volume, result.view_positions, options.prune, progress);
   const VolumeSampler sampler(visible);
   const int finest = visible.grid.level();
-  for (int at = std::min(options.coarsest_level, finest); at < finest; ++at) {
+  for (int at = coarsest; at < finest; ++at) {
+    const double start = level_share * (at - coarsest + 1);
     BillboardLevel level;
     level.level = at;
     level.texels = options.texels <= 4 ? 4 : 8;
     level.side_factor = kCubeSide;
     level.views = all_views;
     level.cells = parents(visible.grid, at);
+    part.emplace(progress, start, start + kBakingShare * level_share);
     bake_cubes(visible, sampler, result.view_positions, level, progress);
+    part.emplace(progress, start + kBakingShare * level_share, start + level_share);
     prune_views(visible, result.view_positions, options.prune, level, progress);
     result.levels.push_back(std::move(level));
   }
   BillboardLevel level;
   level.level = finest;
   level.views = visible.degree == 0 ? std::vector<std::uint32_t>{0} : all_views;
+  part.emplace(progress, 1.0 - level_share, 1.0);
   bake_kernels(visible, result.view_positions, level, progress);
   result.levels.push_back(std::move(level));
   return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
@@ -15,9 +16,10 @@ namespace {
 
 constexpr float kSilhouetteAlpha = 0.0f;  // any opacity keeps a cell in the hull
 constexpr int kCoarsestLevel = 5;
-constexpr int kFinestLevel = 9;            // 512 cells a side
-constexpr double kCellPx = 5.0;            // a cell's size in the photos, chosen when not given
-constexpr double kRaysAcrossCell = 2.5;    // pixels averaged so that about this many cross a cell
+constexpr int kFinestLevel = 9;          // 512 cells a side
+constexpr double kCellPx = 5.0;          // a cell's size in the photos, chosen when not given
+constexpr double kRaysAcrossCell = 2.5;  // pixels averaged so that about this many cross a cell
+constexpr double kCrownShare = 0.05, kCastingShare = 0.4;  // of the time, for the progress
 constexpr float kFirstExtinction = 0.15f;  // of the coarsest level's cells, per cell edge
 
 std::vector<Silhouette> silhouettes_of(const Photos& photos, const Mattes& mattes) {
@@ -54,6 +56,9 @@ int level_from_footprint(double crown_px) {
 }
 
 int pixel_step(double cell_px) { return std::max(1, int(std::floor(cell_px / kRaysAcrossCell))); }
+
+// Share of the time behind when a level is done: each takes about four times the one before.
+double share_up_to(int level, int finest) { return std::pow(4.0, level - finest); }
 
 OpacityTree start_level(const OpacityTree& coarser, const std::vector<Silhouette>& silhouettes,
                         const Cube& crown, int level, Progress& progress) {
@@ -101,6 +106,7 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
                              const OpacityOptions& options, Progress& progress,
                              const OpacityWatcher& watcher) {
   const std::vector<Silhouette> silhouettes = silhouettes_of(photos, mattes);
+  std::optional<ProgressPart> part(std::in_place, progress, 0.0, kCrownShare);
   const Cube crown = find_crown(silhouettes, progress);
   const double crown_px = crown.size_m * pixels_per_metre(photos, crown);
   const int finest =
@@ -109,13 +115,18 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
   OpacityTree tree;
   int iteration = 0;
   for (int level = std::min(kCoarsestLevel, finest); level <= finest; ++level) {
+    const double end = std::max(kCrownShare, share_up_to(level, finest));
+    const double start = std::max(kCrownShare, share_up_to(level - 1, finest));
+    part.emplace(progress, start, start + kCastingShare * (end - start));
     tree = start_level(tree, silhouettes, crown, level, progress);
     const TrilinearSupport support(tree.grid);
     const int step = pixel_step(crown_px / double(1 << level));
     const RayCache cache = cache_rays(photos, mattes, step, crown, level, support, progress);
+    part.emplace(progress, start + kCastingShare * (end - start), end);
     double last_error = 2.0;
     for (int pass = 0; pass < options.passes; ++pass) {
-      progress.begin("Opacity, level " + std::to_string(level), cache.tiles());
+      progress.begin("Opacity, level " + std::to_string(level), cache.tiles(),
+                     double(pass) / options.passes, double(pass + 1) / options.passes);
       const double error = em_pass(cache, support, options.subsets, tree.extinction, progress);
       if (watcher) watcher({tree, ++iteration, error});
       if (error > last_error) break;  // more passes would only fit noise

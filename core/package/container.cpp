@@ -11,8 +11,9 @@
 namespace bosk {
 namespace {
 
-constexpr std::array kKnownTypes{kMetadataSection, kSceneSection, kLevelsSection, kAtlasSection,
-                                 kBc3Section,      kCellsSection, kAlphaSection,  kColourSection};
+constexpr std::array kKnownTypes{kMetadataSection, kSceneSection, kLevelsSection,
+                                 kAtlasSection,    kBc3Section,   kCellsSection,
+                                 kLiveSection,     kAlphaSection, kColourSection};
 
 struct Header {
   std::uint16_t major_version = 0, minor_version = 0;

@@ -56,6 +56,7 @@ inline constexpr std::uint32_t kLevelsSection = section_type("LEVL");
 inline constexpr std::uint32_t kAtlasSection = section_type("ATLS");
 inline constexpr std::uint32_t kBc3Section = section_type("BC3 ");
 inline constexpr std::uint32_t kCellsSection = section_type("CELL");
+inline constexpr std::uint32_t kLiveSection = section_type("LIVE");
 inline constexpr std::uint32_t kAlphaSection = section_type("ALPH");
 inline constexpr std::uint32_t kColourSection = section_type("COLR");
 
@@ -68,7 +69,7 @@ inline constexpr std::uint32_t kMaxLevels = 13;  // octree levels 0 to 12
 inline constexpr std::uint32_t kMaxViews = 4096;
 inline constexpr std::uint64_t kMaxCells = std::uint64_t(1) << 24;    // a level
 inline constexpr std::uint64_t kMaxIndices = std::uint64_t(1) << 26;  // alpha, all levels together
-inline constexpr std::uint32_t kMaxCodewords = 65535;                 // a range
+inline constexpr std::uint32_t kMaxCodewords = 4096;                  // a range
 inline constexpr int kMaxAtlasPx = 512;
 inline constexpr std::uint32_t kMaxTextBytes = 65536;  // one metadata key or value
 inline constexpr std::uint32_t kMaxMetadata = 1024;    // entries

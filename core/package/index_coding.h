@@ -5,14 +5,16 @@
 #include <span>
 #include <vector>
 
-#include "core/package/near_codewords.h"
+#include "core/package/tree_model.h"
 
-// How the indices of one level become bytes: the bulk of a package. Two ways, the writer keeps the
-// shorter:
-//   planes  low bytes, then high bytes, view by view; zstd finds what repeats
-//   ranked  each index is told as its rank among the codewords that look most like the one that the
-//           same block had in the view before, and the ranks are range coded (rANS) with a context
-// The walk below is shared by reader and writer, so the two can't disagree.
+// How the indices of one level become bytes: the bulk of a package. First which blocks are live
+// (not pruned), then the indices of live blocks, alpha and colour apart, in one of two ways:
+//   planes  low bytes, then high bytes; zstd finds what repeats
+//   ranked  the index that the same block had in the view before has a list of the indices that
+//   were
+//           seen to follow it; what follows now is told by its rank there. Lists learn as they go.
+// Symbols are range coded (rANS). The walks below are shared by reader and writer, so the two can't
+// disagree.
 namespace bosk {
 
 struct IndexShape {
@@ -24,13 +26,10 @@ struct IndexShape {
 
 enum class IndexTransform : std::uint8_t { planes = 0, ranked = 1 };
 
-inline constexpr unsigned kProbabilityBits = 11;
-inline constexpr unsigned kProbabilityOne = 1u << kProbabilityBits;
-inline constexpr std::uint32_t kRansLow = 1u << 16;  // coder states stay within [2^16, 2^32)
-inline constexpr unsigned kFlagContexts = 24;
-inline constexpr unsigned kMaxNear = 64, kMaxBuckets = 64;
-// Tokens: a rank below the list's length, or that length + the bits of the zigzag difference.
-inline constexpr unsigned kEscapeTokens = 18;
+inline constexpr unsigned kTokenBits = 12, kDirectBits = 14;  // chances are out of 2^ these
+inline constexpr std::uint32_t kRansLow = 1u << 16;           // coder states stay in [2^16, 2^32)
+inline constexpr unsigned kLiveContexts = 24;
+inline constexpr unsigned kMaxRanks = 255, kMaxBuckets = 64;
 
 // Indices are coded view by view, in each cell by cell. Both functions go through groups of cells
 // small enough for the cache; kBlocks is a constant so that the inner loop unrolls.
@@ -64,7 +63,7 @@ inline std::vector<std::uint16_t> cell_order(std::span<const std::uint16_t> in_v
                            : reordered<4, false>(in_view_order, shape);
 }
 
-// Context of "is this block pruned?": the same block in the view before, its neighbours in Morton
+// Context of "is this block live?": the same block in the view before, its neighbours in Morton
 // order.
 class LiveContexts {
  public:
@@ -85,72 +84,95 @@ class LiveContexts {
   std::vector<std::uint8_t> live_;
 };
 
-// What a block's index is expected to be: the block's own of the last view that shows it, else that
-// of the cell before.
-class IndexPredictor {
+// For every index those that may follow it, likeliest first. They begin with the numbers around it
+// (codewords are numbered so that near numbers look alike); what follows indeed moves up.
+class RankLists {
  public:
-  IndexPredictor(const IndexShape& shape, std::uint32_t codewords, unsigned buckets)
-      : reach_(shape.blocks), last_(shape.slots() + shape.blocks, kPruned), context_of_(codewords) {
-    middle_ = std::uint16_t(codewords / 2);
-    for (std::uint32_t i = 0; i < codewords; ++i) {
-      context_of_[i] = std::uint8_t(1 + std::uint64_t(i) * buckets / codewords);
+  RankLists(std::uint32_t count, std::uint32_t length)
+      : length_(std::min(length, count)), lists_(std::size_t(count) * length_) {
+    for (std::uint32_t index = 0; index < count; ++index) {
+      std::uint16_t* list = lists_.data() + std::size_t(index) * length_;
+      std::uint32_t filled = 0;
+      for (std::uint32_t step = 0; filled < length_; ++step) {
+        if (step <= index) list[filled++] = std::uint16_t(index - step);
+        if (filled < length_ && step > 0 && index + step < count) {
+          list[filled++] = std::uint16_t(index + step);
+        }
+      }
     }
   }
 
-  struct Expectation {
-    std::uint16_t index;
-    unsigned context;
-  };
-  Expectation expect(std::size_t slot) const {
-    const std::uint16_t own = last_[slot + reach_];
-    if (own != kPruned) return {own, context_of_[own]};
-    const std::uint16_t neighbour = last_[slot];
-    return {neighbour != kPruned ? neighbour : middle_, 0};
+  std::uint32_t length() const { return length_; }
+  // The rank of `index` among the followers of `before`; length() when it is not there.
+  std::uint32_t rank(std::uint16_t before, std::uint16_t index) const {
+    const std::uint16_t* list = lists_.data() + std::size_t(before) * length_;
+    return std::uint32_t(std::find(list, list + length_, index) - list);
   }
-  void set(std::size_t slot, std::uint16_t index) { last_[slot + reach_] = index; }
+  // The follower of that rank, which changes places with the one half way to the front.
+  std::uint16_t take(std::uint16_t before, std::uint32_t rank) {
+    std::uint16_t* list = lists_.data() + std::size_t(before) * length_;
+    const std::uint16_t index = list[rank];
+    const std::uint32_t half = rank / 2;
+    list[rank] = list[half];
+    list[half] = index;
+    return index;
+  }
+  // Puts in a follower that was not there, for the last.
+  void learn(std::uint16_t before, std::uint16_t index) {
+    lists_[std::size_t(before) * length_ + length_ - 1] = index;
+  }
 
  private:
-  std::size_t reach_;
-  std::vector<std::uint16_t> last_;
-  std::vector<std::uint8_t> context_of_;
-  std::uint16_t middle_ = 0;
+  std::uint32_t length_;
+  std::vector<std::uint16_t> lists_;
 };
 
-// One walk for both directions, over indices in view order. A coder has
+// A coder for the walks: an encoder gets values and returns them, a decoder ignores what it gets.
 //   bool flag(unsigned context, bool value)
-//   std::uint16_t index(unsigned context, std::uint16_t expected, std::uint16_t value)
-// An encoder returns the value, a decoder ignores what it gets. It is handed over and back by
-// value: so its state lives in registers.
+//   unsigned token(unsigned context, rank)          rank(): the value, worked out by an encoder
+//   only std::uint16_t direct(std::uint16_t value)
+// Coders are handed over and back by value, so that their state lives in registers.
+
 template <class Coder>
-Coder walk_alpha(const IndexShape& shape, IndexPredictor predictor, std::span<std::uint16_t> values,
-                 Coder coder) {
-  LiveContexts live(shape);
-  for (std::size_t i = 0; i < values.size();) {
+Coder walk_live(const IndexShape& shape, std::span<std::uint8_t> live, Coder coder) {
+  LiveContexts contexts(shape);
+  for (std::size_t i = 0; i < live.size();) {
     for (std::size_t slot = 0; slot < shape.slots(); ++slot, ++i) {
-      const bool is_live = coder.flag(live.context(slot), values[i] != kPruned);
-      live.set(slot, is_live);
-      if (!is_live) {
-        values[i] = kPruned;
-        continue;
-      }
-      const auto expected = predictor.expect(slot);
-      values[i] = coder.index(expected.context, expected.index, values[i]);
-      predictor.set(slot, values[i]);
+      live[i] = coder.flag(contexts.context(slot), live[i] != 0);
+      contexts.set(slot, live[i] != 0);
     }
   }
   return coder;
 }
 
+// `values` in view order; those of blocks that are not live stay as they are.
 template <class Coder>
-Coder walk_colour(const IndexShape& shape, IndexPredictor predictor,
-                  std::span<const std::uint16_t> alpha, std::span<std::uint16_t> values,
-                  Coder coder) {
+Coder walk_indices(const IndexShape& shape, std::span<const std::uint8_t> live, std::uint32_t count,
+                   unsigned buckets, RankLists lists, std::span<std::uint16_t> values,
+                   Coder coder) {
+  std::vector<std::uint16_t> last(shape.slots(), kPruned);  // of each block, where it was live
+  std::vector<std::uint8_t> bucket(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    bucket[i] = std::uint8_t(std::uint64_t(i) * buckets / count);
+  }
   for (std::size_t i = 0; i < values.size();) {
     for (std::size_t slot = 0; slot < shape.slots(); ++slot, ++i) {
-      if (alpha[i] == kPruned) continue;  // its colour index is 0
-      const auto expected = predictor.expect(slot);
-      values[i] = coder.index(expected.context, expected.index, values[i]);
-      predictor.set(slot, values[i]);
+      if (live[i] == 0) continue;
+      const std::uint16_t before = last[slot];
+      std::uint16_t value = values[i];
+      if (before == kPruned) {
+        value = coder.direct(value);
+      } else {
+        const unsigned rank =
+            coder.token(bucket[before], [&] { return lists.rank(before, value); });
+        if (rank < lists.length()) {
+          value = lists.take(before, rank);
+        } else {
+          value = coder.direct(value);
+          lists.learn(before, value);
+        }
+      }
+      values[i] = last[slot] = value;
     }
   }
   return coder;

@@ -1,8 +1,7 @@
 #include "core/package/index_decode.h"
 
-#include <algorithm>
 #include <array>
-#include <cstring>
+#include <numeric>
 
 #include "core/package/byte_cursor.h"
 
@@ -10,13 +9,19 @@ namespace bosk {
 namespace {
 
 // Which symbol a slot of a context's 2^12 belongs to.
-struct Slot {
+struct TokenSlot {
   std::uint32_t frequency_less_one : 12 = 0, offset : 12 = 0, symbol : 8 = 0;
 };
+struct DirectRange {
+  std::uint16_t frequency = 1, start = 0;
+};
 
-struct RankedTables {
-  std::array<std::uint16_t, kFlagContexts> pruned{};  // frequency of "pruned" out of 2^12
-  std::vector<Slot> slots;                            // [context][2^12]
+// Tables of chances. What no table names decodes as symbol 0: wrong, but within every bound.
+struct Chances {
+  std::array<std::uint16_t, kLiveContexts> pruned{};  // of "pruned", out of 2^12
+  std::vector<TokenSlot> tokens;                      // [context][2^12]
+  std::vector<std::uint16_t> direct_symbols;          // [2^14]
+  std::vector<DirectRange> direct_ranges;             // [symbol]
 };
 
 // Duda's asymmetric numeral systems, range variant, two states in turn so that a processor can work
@@ -24,33 +29,49 @@ struct RankedTables {
 // `finished`.
 class RansDecoder {
  public:
-  // `words` must have one word behind them that may be read, and outlive the decoder; as the tables
+  // `words` must have one word behind them that may be read, and outlive the decoder; as `chances`
   // must.
-  RansDecoder(std::span<const std::uint16_t> words, const RankedTables& tables)
+  RansDecoder(std::span<const std::uint16_t> words, const Chances& chances)
       : next_(words.data()),
         end_(words.data() + words.size()),
-        pruned_(tables.pruned.data()),
-        slots_(tables.slots.data()) {
+        pruned_(chances.pruned.data()),
+        tokens_(chances.tokens.data()),
+        direct_symbols_(chances.direct_symbols.data()),
+        direct_ranges_(chances.direct_ranges.data()) {
     state_ = start();
     other_ = start();
   }
-  bool flag(unsigned context) {
-    const std::uint32_t pruned = pruned_[context], low = state_ & (kProbabilityOne - 1);
+
+  bool flag(unsigned context, bool) {
+    const std::uint32_t pruned = pruned_[context], low = low_bits<kTokenBits>();
     const bool is_live = low >= pruned;
-    advance(is_live ? kProbabilityOne - pruned : pruned, is_live ? low - pruned : low);
+    advance<kTokenBits>(is_live ? (1u << kTokenBits) - pruned : pruned,
+                        is_live ? low - pruned : low);
     return is_live;
   }
-  unsigned token(unsigned context) {
-    const Slot slot = slots_[context << kProbabilityBits | (state_ & (kProbabilityOne - 1))];
-    advance(slot.frequency_less_one + 1, slot.offset);
+  template <class Rank>
+  unsigned token(unsigned context, Rank&&) {
+    const TokenSlot slot = tokens_[context << kTokenBits | low_bits<kTokenBits>()];
+    advance<kTokenBits>(slot.frequency_less_one + 1, slot.offset);
     return slot.symbol;
+  }
+  std::uint16_t direct(std::uint16_t) {
+    const std::uint32_t low = low_bits<kDirectBits>();
+    const std::uint16_t symbol = direct_symbols_[low];
+    advance<kDirectBits>(direct_ranges_[symbol].frequency, low - direct_ranges_[symbol].start);
+    return symbol;
   }
   // The coder began with both states at the lower end, so a sound stream ends there.
   bool finished() const { return next_ == end_ && state_ == kRansLow && other_ == kRansLow; }
 
  private:
+  template <unsigned kBits>
+  std::uint32_t low_bits() const {
+    return state_ & ((1u << kBits) - 1);
+  }
+  template <unsigned kBits>
   void advance(std::uint32_t frequency, std::uint32_t offset) {
-    const std::uint32_t state = frequency * (state_ >> kProbabilityBits) + offset;
+    const std::uint32_t state = frequency * (state_ >> kBits) + offset;
     const std::uint32_t more = state << 16 | *next_;
     const bool is_low = state < kRansLow;
     next_ += is_low && next_ != end_;
@@ -65,167 +86,132 @@ class RansDecoder {
 
   const std::uint16_t *next_, *end_;
   const std::uint16_t* pruned_;
-  const Slot* slots_;
+  const TokenSlot* tokens_;
+  const std::uint16_t* direct_symbols_;
+  const DirectRange* direct_ranges_;
   std::uint32_t state_ = 0, other_ = 0;
 };
 
-// Bits, lowest first; beyond the end they are 0 and told by `finished`.
-class BitReader {
- public:
-  explicit BitReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-  std::uint32_t bits(unsigned count) {  // at most 24
-    while (held_ < count) {
-      const auto byte = next_ < bytes_.size() ? std::uint64_t(bytes_[next_]) : 0;
-      buffer_ |= byte << held_;
-      held_ += 8;
-      ++next_;
-    }
-    const auto taken = std::uint32_t(buffer_ & ((std::uint64_t(1) << count) - 1));
-    buffer_ >>= count;
-    held_ -= count;
-    return taken;
-  }
-  bool finished() const { return next_ == bytes_.size() && buffer_ == 0; }
-
- private:
-  std::span<const std::byte> bytes_;
-  std::size_t next_ = 0;
-  std::uint64_t buffer_ = 0;
-  unsigned held_ = 0;
-};
-
-class RankedDecoder {
- public:
-  RankedDecoder(RansDecoder rans, BitReader bits, const NearCodewords& near,
-                const std::string& name)
-      : rans_(rans),
-        bits_(bits),
-        lists_(near.lists.data()),
-        length_(near.length),
-        count_(near.count),
-        name_(&name) {}
-
-  bool flag(unsigned context, bool) { return rans_.flag(context); }
-  std::uint16_t index(unsigned context, std::uint16_t expected, std::uint16_t) {
-    const unsigned token = rans_.token(context);
-    if (token < length_) return lists_[std::size_t(expected) * length_ + token];
-    return escaped(token - length_, expected);
-  }
-  void expect_end() const {
-    if (!rans_.finished() || !bits_.finished()) damaged(*name_ + ": coded indices do not end well");
-  }
-
- private:
-  // `bit_count` bits of zigzag difference, of which the highest is 1 and not stored.
-  std::uint16_t escaped(unsigned bit_count, std::uint16_t expected) {
-    if (bit_count >= kEscapeTokens) damaged(*name_ + ": unknown token");
-    const std::uint32_t zigzag =
-        bit_count < 2 ? bit_count : 1u << (bit_count - 1) | bits_.bits(bit_count - 1);
-    const std::int32_t half = std::int32_t(zigzag >> 1);
-    const std::int32_t index = std::int32_t(expected) + ((zigzag & 1) != 0 ? -half - 1 : half);
-    if (index < 0 || index >= std::int32_t(count_)) damaged(*name_ + ": index beyond the codebook");
-    return std::uint16_t(index);
-  }
-
-  RansDecoder rans_;
-  BitReader bits_;
-  const std::uint16_t* lists_;
-  std::uint32_t length_, count_;
-  const std::string* name_;
-};
-
-void read_context(ByteCursor& cursor, std::span<Slot> slots) {
-  const unsigned symbols = cursor.value<std::uint8_t>();
-  std::size_t filled = 0;
-  for (unsigned symbol = 0; symbol < symbols; ++symbol) {
+// Frequencies of symbols 0 up, which add up to `one`, or none at all.
+std::vector<std::uint32_t> read_frequencies(ByteCursor& cursor, std::uint32_t max_symbols,
+                                            std::uint32_t one) {
+  const std::uint64_t count = cursor.varint();
+  if (count > max_symbols) damaged(cursor.section() + ": too many symbols");
+  std::vector<std::uint32_t> frequencies;
+  std::uint64_t left = count == 0 ? 0 : one;
+  for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t frequency = cursor.varint();
-    if (frequency > slots.size() - filled) damaged(cursor.section() + ": frequencies");
+    if (frequency > left) damaged(cursor.section() + ": chances beyond 1");
+    left -= frequency;
+    frequencies.push_back(std::uint32_t(frequency));
+  }
+  if (left != 0) damaged(cursor.section() + ": chances below 1");
+  return frequencies;
+}
+
+void read_tokens(ByteCursor& cursor, std::uint32_t max_symbols, std::span<TokenSlot> slots) {
+  std::uint32_t symbol = 0;
+  std::size_t filled = 0;
+  for (const std::uint32_t frequency : read_frequencies(cursor, max_symbols, 1u << kTokenBits)) {
     for (std::uint32_t offset = 0; offset < frequency; ++offset) {
-      slots[filled++] = {std::uint32_t(frequency - 1) & 0xfff, offset & 0xfff, symbol & 0xff};
+      slots[filled++] = {(frequency - 1) & 0xfff, offset & 0xfff, symbol & 0xff};
     }
+    ++symbol;
   }
-  if (symbols != 0 && filled != slots.size()) damaged(cursor.section() + ": frequencies");
 }
 
-RankedTables read_tables(ByteCursor& cursor, bool with_flags, unsigned contexts) {
-  RankedTables tables;
-  if (with_flags) {
-    for (auto& frequency : tables.pruned) {
-      frequency = cursor.value<std::uint16_t>();
-      if (frequency == 0 || frequency >= kProbabilityOne)
-        damaged(cursor.section() + ": frequencies");
-    }
+void read_direct(ByteCursor& cursor, std::uint32_t codewords, Chances& chances) {
+  const auto frequencies = read_frequencies(cursor, codewords, 1u << kDirectBits);
+  chances.direct_symbols.assign(std::size_t(1) << kDirectBits, 0);
+  chances.direct_ranges.assign(codewords, {});
+  std::uint32_t start = 0;
+  for (std::uint32_t symbol = 0; symbol < frequencies.size(); ++symbol) {
+    chances.direct_ranges[symbol] = {std::uint16_t(frequencies[symbol]), std::uint16_t(start)};
+    std::fill_n(chances.direct_symbols.begin() + start, frequencies[symbol], std::uint16_t(symbol));
+    start += frequencies[symbol];
   }
-  tables.slots.resize(std::size_t(contexts) << kProbabilityBits);
-  for (unsigned context = 0; context < contexts; ++context) {
-    read_context(
-        cursor,
-        std::span(tables.slots).subspan(std::size_t(context) << kProbabilityBits, kProbabilityOne));
-  }
-  return tables;
 }
 
-std::vector<std::uint16_t> decode_planes(ByteCursor& cursor, const IndexShape& shape) {
-  const auto low = cursor.take(shape.count()), high = cursor.take(shape.count());
-  cursor.expect_end();
-  std::vector<std::uint16_t> values(shape.count());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = std::uint16_t(unsigned(low[i]) | unsigned(high[i]) << 8);
-  }
-  return values;
-}
-
-// Either kind; `alpha` is null when the alpha indices themselves are decoded.
-std::vector<std::uint16_t> decode_ranked(ByteCursor& cursor, const IndexShape& shape,
-                                         const CodeAtlas& atlas, const CodeRange& codes,
-                                         const std::span<const std::uint16_t>* alpha) {
-  const unsigned length = cursor.value<std::uint8_t>(), buckets = cursor.value<std::uint8_t>();
-  if (cursor.value<std::uint8_t>() != 0 || length < 1 || length > kMaxNear || buckets < 1 ||
-      buckets > kMaxBuckets || codes.count == 0) {
-    damaged(cursor.section() + ": parameters of the index coding");
-  }
-  const auto word_count = cursor.value<std::uint32_t>(), bit_bytes = cursor.value<std::uint32_t>();
-  const RankedTables tables = read_tables(cursor, alpha == nullptr, buckets + 1);
-  auto words = cursor.array<std::uint16_t>(word_count);
-  const auto bits = cursor.take(bit_bytes);
+// The rest of the section as words, and a 0 behind them.
+std::vector<std::uint16_t> read_words(ByteCursor& cursor) {
+  auto words = cursor.array<std::uint16_t>(cursor.left() / 2);
   cursor.expect_end();
   words.push_back(0);
-  const auto near =
-      near_codewords(atlas, codes, alpha ? CodewordKind::colour : CodewordKind::alpha, length);
-  const RansDecoder rans(std::span<const std::uint16_t>(words).first(word_count), tables);
-  const RankedDecoder decoder(rans, BitReader{bits}, near, cursor.section());
-  const IndexPredictor predictor(shape, codes.count, buckets);
-  std::vector<std::uint16_t> values(shape.count(), 0);
-  const auto ended = alpha ? walk_colour(shape, predictor, *alpha, values, decoder)
-                           : walk_alpha(shape, predictor, values, decoder);
-  ended.expect_end();
-  return values;
+  return words;
 }
 
-// Indices in view order.
-std::vector<std::uint16_t> decode(std::span<const std::byte> bytes, const IndexShape& shape,
-                                  const CodeAtlas& atlas, const CodeRange& codes,
-                                  const std::span<const std::uint16_t>* alpha,
-                                  const std::string& name) {
-  ByteCursor cursor(bytes, name);
-  const auto transform = IndexTransform(cursor.value<std::uint8_t>());
-  if (transform == IndexTransform::planes) return decode_planes(cursor, shape);
-  if (transform != IndexTransform::ranked) damaged(name + ": unknown coding of indices");
-  return decode_ranked(cursor, shape, atlas, codes, alpha);
+std::span<const std::uint16_t> without_last(const std::vector<std::uint16_t>& words) {
+  return {words.data(), words.size() - 1};
+}
+
+void decode_planes(ByteCursor& cursor, std::span<const std::uint8_t> live,
+                   std::span<std::uint16_t> values) {
+  const std::size_t count = cursor.left() / 2;
+  const auto low = cursor.take(count), high = cursor.take(count);
+  cursor.expect_end();
+  if (std::accumulate(live.begin(), live.end(), std::size_t(0)) != count) {
+    damaged(cursor.section() + ": number of indices");
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (live[i] == 0) continue;
+    values[i] = std::uint16_t(unsigned(low[next]) | unsigned(high[next]) << 8);
+    ++next;
+  }
+}
+
+void decode_ranked(ByteCursor& cursor, const IndexShape& shape, std::span<const std::uint8_t> live,
+                   std::uint32_t codewords, std::span<std::uint16_t> values) {
+  const std::uint32_t length = cursor.value<std::uint8_t>(), buckets = cursor.value<std::uint8_t>();
+  if (length < 1 || buckets < 1 || buckets > kMaxBuckets || codewords < 1) {
+    damaged(cursor.section() + ": parameters of the index coding");
+  }
+  RankLists lists(codewords, length);
+  Chances chances;
+  chances.tokens.resize(std::size_t(buckets) << kTokenBits);
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+    read_tokens(cursor, lists.length() + 1,
+                std::span(chances.tokens).subspan(bucket << kTokenBits, 1u << kTokenBits));
+  }
+  read_direct(cursor, codewords, chances);
+  const auto words = read_words(cursor);
+  const auto ended = walk_indices(shape, live, codewords, buckets, std::move(lists), values,
+                                  RansDecoder(without_last(words), chances));
+  if (!ended.finished()) damaged(cursor.section() + ": coded indices do not end well");
 }
 
 }  // namespace
 
-LevelIndices decode_level_indices(std::span<const std::byte> alpha_bytes,
-                                  std::span<const std::byte> colour_bytes, const IndexShape& shape,
-                                  const CodeAtlas& atlas, const TreeLevel& frame) {
-  const std::string name = " indices of level " + std::to_string(frame.level);
-  const auto alpha = decode(alpha_bytes, shape, atlas, frame.alpha_codes, nullptr, "alpha" + name);
-  const std::span<const std::uint16_t> known_alpha(alpha);
-  const auto colour =
-      decode(colour_bytes, shape, atlas, frame.colour_codes, &known_alpha, "colour" + name);
-  return {cell_order(alpha, shape), cell_order(colour, shape)};
+std::vector<std::uint8_t> decode_live(std::span<const std::byte> bytes, const IndexShape& shape,
+                                      const std::string& name) {
+  ByteCursor cursor(bytes, name);
+  Chances chances;
+  for (std::uint16_t& chance : chances.pruned) {
+    chance = cursor.value<std::uint16_t>();
+    if (chance == 0 || chance >= 1u << kTokenBits) damaged(name + ": chances");
+  }
+  const auto words = read_words(cursor);
+  std::vector<std::uint8_t> live(shape.count());
+  const auto ended = walk_live(shape, live, RansDecoder(without_last(words), chances));
+  if (!ended.finished()) damaged(name + ": coded flags do not end well");
+  return live;
+}
+
+std::vector<std::uint16_t> decode_indices(std::span<const std::byte> bytes, const IndexShape& shape,
+                                          std::span<const std::uint8_t> live,
+                                          std::uint32_t codewords, std::uint16_t pruned_value,
+                                          const std::string& name) {
+  ByteCursor cursor(bytes, name);
+  std::vector<std::uint16_t> values(shape.count(), pruned_value);
+  const auto transform = IndexTransform(cursor.value<std::uint8_t>());
+  if (transform == IndexTransform::planes) {
+    decode_planes(cursor, live, values);
+  } else if (transform == IndexTransform::ranked) {
+    decode_ranked(cursor, shape, live, codewords, values);
+  } else {
+    damaged(name + ": unknown coding of indices");
+  }
+  return cell_order(values, shape);
 }
 
 }  // namespace bosk

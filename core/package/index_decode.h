@@ -3,21 +3,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/package/index_coding.h"
 
 namespace bosk {
 
-struct LevelIndices {
-  std::vector<std::uint16_t> alpha, colour;  // as in TreeLevel
-};
+// All throw Error on damage (`name` is for the message) and never read beyond `bytes`.
 
-// Indices of one level from the decoded bytes of its ALPH and COLR sections. `frame` gives the
-// level's number and its code ranges, which must lie in the atlas. Throws Error on damage and never
-// reads beyond the bytes; indices that came as planes are still to be checked (model_check.h).
-LevelIndices decode_level_indices(std::span<const std::byte> alpha_bytes,
-                                  std::span<const std::byte> colour_bytes, const IndexShape& shape,
-                                  const CodeAtlas& atlas, const TreeLevel& frame);
+// From the decoded bytes of a LIVE section: 1 for each block that draws, 0 for a pruned one, in
+// view order.
+std::vector<std::uint8_t> decode_live(std::span<const std::byte> bytes, const IndexShape& shape,
+                                      const std::string& name);
+
+// From the decoded bytes of an ALPH or COLR section: indices below `codewords` in cell order, and
+// `pruned_value` for blocks that are not live.
+std::vector<std::uint16_t> decode_indices(std::span<const std::byte> bytes, const IndexShape& shape,
+                                          std::span<const std::uint8_t> live,
+                                          std::uint32_t codewords, std::uint16_t pruned_value,
+                                          const std::string& name);
 
 }  // namespace bosk

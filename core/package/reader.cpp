@@ -1,11 +1,13 @@
 #include "core/package/reader.h"
 
 #include <fstream>
+#include <functional>
 #include <new>
 
 #include "core/package/container.h"
 #include "core/package/index_decode.h"
 #include "core/package/model_check.h"
+#include "core/package/parallel.h"
 #include "core/package/section_decode.h"
 
 namespace bosk {
@@ -26,19 +28,38 @@ void check_index_total(const std::vector<LevelFrame>& frames) {
   if (total > kMaxIndices) damaged("levels: too many indices");
 }
 
-TreeLevel read_level(const Container& container, std::uint32_t position, const LevelFrame& frame,
-                     const CodeAtlas& atlas) {
-  TreeLevel level = frame.level;
-  level.cells = decode_cells(section_bytes(container, kCellsSection, position), frame);
-  LevelIndices indices = decode_level_indices(section_bytes(container, kAlphaSection, position),
-                                              section_bytes(container, kColourSection, position),
-                                              index_shape(frame), atlas, frame.level);
-  level.alpha_indices = std::move(indices.alpha);
-  level.colour_indices = std::move(indices.colour);
-  return level;
+// Two rounds, since indices need to know which blocks are live. Levels are independent, and the
+// alpha and colour of one too; the finest and so longest go first.
+std::vector<TreeLevel> read_levels(const Container& container,
+                                   const std::vector<LevelFrame>& frames, unsigned threads) {
+  std::vector<TreeLevel> levels(frames.size());
+  std::vector<std::vector<std::uint8_t>> live(frames.size());
+  std::vector<std::function<void()>> first, second;
+  for (std::uint32_t i = std::uint32_t(frames.size()); i-- > 0;) {
+    first.push_back([&, i] {
+      levels[i] = frames[i].level;
+      levels[i].cells = decode_cells(section_bytes(container, kCellsSection, i), frames[i]);
+      live[i] = decode_live(section_bytes(container, kLiveSection, i), index_shape(frames[i]),
+                            section_name(kLiveSection, i));
+    });
+    const auto read = [&, i](std::uint32_t type, const CodeRange& codes,
+                             std::uint16_t pruned_value) {
+      return decode_indices(section_bytes(container, type, i), index_shape(frames[i]), live[i],
+                            codes.count, pruned_value, section_name(type, i));
+    };
+    second.push_back([&, i, read] {
+      levels[i].alpha_indices = read(kAlphaSection, frames[i].level.alpha_codes, kPruned);
+    });
+    second.push_back([&, i, read] {
+      levels[i].colour_indices = read(kColourSection, frames[i].level.colour_codes, 0);
+    });
+  }
+  run_parallel(first, threads);
+  run_parallel(second, threads);
+  return levels;
 }
 
-TreeModel read_sections(const Container& container) {
+TreeModel read_sections(const Container& container, unsigned threads) {
   TreeModel tree;
   tree.metadata = decode_metadata(section_bytes(container, kMetadataSection));
   decode_scene(section_bytes(container, kSceneSection), tree);
@@ -47,18 +68,16 @@ TreeModel read_sections(const Container& container) {
   const auto frames = decode_levels(section_bytes(container, kLevelsSection));
   for (const LevelFrame& frame : frames) check_level_frame(frame.level, tree);
   check_index_total(frames);
-  for (std::uint32_t i = 0; i < frames.size(); ++i) {
-    tree.levels.push_back(read_level(container, i, frames[i], tree.atlas));
-  }
+  tree.levels = read_levels(container, frames, threads);
   check_tree_model(tree);
   return tree;
 }
 
 }  // namespace
 
-TreeModel read_tree(std::span<const std::byte> package, const std::string& name) {
+TreeModel read_tree(std::span<const std::byte> package, const std::string& name, unsigned threads) {
   try {
-    return read_sections(open_container(package));
+    return read_sections(open_container(package), threads);
   } catch (const Error& error) {
     throw Error(name + ": " + error.what(), error.kind());
   } catch (const std::bad_alloc&) {
@@ -66,8 +85,8 @@ TreeModel read_tree(std::span<const std::byte> package, const std::string& name)
   }
 }
 
-TreeModel load_tree(const std::filesystem::path& path) {
-  return read_tree(load_package_bytes(path), path.string());
+TreeModel load_tree(const std::filesystem::path& path, unsigned threads) {
+  return read_tree(load_package_bytes(path), path.string(), threads);
 }
 
 std::vector<std::byte> load_package_bytes(const std::filesystem::path& path) {

@@ -19,11 +19,12 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// Statistics apart for this many kinds of expected codeword: more pay off in large levels.
-constexpr unsigned kBuckets[] = {1, 4, 16, 64};
-// Below it a level is also tried as planes; above it ranks were shorter on every tree measured, and
-// zstd would take seconds to say so.
-constexpr std::size_t kFewIndices = 1 << 14;
+// Lengths of lists and kinds of statistics to try: more pay off in larger levels. Beyond these the
+// tables grow out of a processor's cache for a few tenths of a percent.
+struct RankedOptions {
+  unsigned ranks, buckets;
+};
+constexpr RankedOptions kRankedOptions[] = {{64, 1}, {255, 4}};
 
 // One way to say a section, before zstd.
 struct Candidate {
@@ -47,40 +48,36 @@ IndexShape index_shape(const TreeLevel& level) {
   return {level.cells.size(), level.views.size(), across * across};
 }
 
-using Indices = std::vector<std::uint16_t>;
+// One level in the order that it is coded in.
+struct OrderedLevel {
+  IndexShape shape;
+  std::vector<std::uint16_t> alpha, colour;
+  std::vector<std::uint8_t> live;
+};
 
-template <class EncodeRanked>
-std::vector<Candidate> index_candidates(const Indices& indices, const IndexShape& shape,
-                                        const CodeRange& codes, EncodeRanked&& encode_ranked) {
-  const bool can_rank = codes.count > 0 && shape.count() > 0;
-  std::vector<Candidate> candidates;
-  if (!can_rank || shape.count() < kFewIndices) {
-    candidates.push_back({encode_planes(indices, shape), false});
-  }
-  for (const unsigned buckets : kBuckets) {
-    if (can_rank) candidates.push_back({encode_ranked(buckets), true});
+OrderedLevel order_level(const TreeLevel& level) {
+  OrderedLevel ordered{index_shape(level), {}, {}, {}};
+  ordered.alpha = view_order(level.alpha_indices, ordered.shape);
+  ordered.colour = view_order(level.colour_indices, ordered.shape);
+  ordered.live = live_blocks(ordered.alpha);
+  return ordered;
+}
+
+// Without a view before, ranks have nothing to go by, but direct indices are range coded too.
+std::vector<Candidate> index_candidates(const std::vector<std::uint16_t>& indices,
+                                        const OrderedLevel& level, std::uint32_t codewords) {
+  std::vector<Candidate> candidates{{encode_planes(indices, level.live), false}};
+  for (const auto& [ranks, buckets] : kRankedOptions) {
+    if (codewords == 0) break;
+    candidates.push_back(
+        {encode_ranked(indices, level.live, level.shape, codewords, ranks, buckets), true});
   }
   return candidates;
 }
 
-std::vector<Candidate> alpha_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
-  const IndexShape shape = index_shape(level);
-  const auto near = near_codewords(atlas, level.alpha_codes, CodewordKind::alpha, kMaxNear);
-  return index_candidates(level.alpha_indices, shape, level.alpha_codes, [&](unsigned buckets) {
-    return encode_ranked_alpha(level.alpha_indices, shape, near, buckets);
-  });
-}
-
-std::vector<Candidate> colour_candidates(const TreeLevel& level, const CodeAtlas& atlas) {
-  const IndexShape shape = index_shape(level);
-  const auto near = near_codewords(atlas, level.colour_codes, CodewordKind::colour, kMaxNear);
-  return index_candidates(level.colour_indices, shape, level.colour_codes, [&](unsigned buckets) {
-    return encode_ranked_colour(level.colour_indices, level.alpha_indices, shape, near, buckets);
-  });
-}
-
 // In the order of the file.
-std::vector<Section> list_sections(const TreeModel& tree) {
+std::vector<Section> list_sections(const TreeModel& tree,
+                                   const std::vector<OrderedLevel>& ordered) {
   const auto one = [](auto encode) {
     return [=] { return std::vector<Candidate>{{encode(), false}}; };
   };
@@ -92,9 +89,16 @@ std::vector<Section> list_sections(const TreeModel& tree) {
       {kBc3Section, 0, one([&tree] { return encode_bc3(tree.atlas); })}};
   for (std::uint32_t i = 0; i < tree.levels.size(); ++i) {
     const TreeLevel& level = tree.levels[i];
+    const OrderedLevel& indices = ordered[i];
     sections.push_back({kCellsSection, i, one([&level] { return encode_cells(level); })});
-    sections.push_back({kAlphaSection, i, [&] { return alpha_candidates(level, tree.atlas); }});
-    sections.push_back({kColourSection, i, [&] { return colour_candidates(level, tree.atlas); }});
+    sections.push_back(
+        {kLiveSection, i, one([&indices] { return encode_live(indices.live, indices.shape); })});
+    sections.push_back({kAlphaSection, i, [&] {
+                          return index_candidates(indices.alpha, indices, level.alpha_codes.count);
+                        }});
+    sections.push_back(
+        {kColourSection, i,
+         [&] { return index_candidates(indices.colour, indices, level.colour_codes.count); }});
   }
   return sections;
 }
@@ -111,7 +115,12 @@ PackedSection pack(Candidate candidate, const Progress& progress) {
   return {kStored, raw_length, std::move(candidate.raw)};
 }
 
+// Planes are tried where they may win: small levels, and only then is zstd quick to say so.
 PackedSection smallest(std::vector<Candidate> candidates, const Progress& progress) {
+  constexpr std::size_t kFewBytes = 1 << 15;
+  if (candidates.size() > 1 && candidates.front().raw.size() > kFewBytes) {
+    candidates.erase(candidates.begin());
+  }
   PackedSection best = pack(std::move(candidates.front()), progress);
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     PackedSection other = pack(std::move(candidates[i]), progress);
@@ -171,7 +180,9 @@ Bytes assemble_file(const std::vector<Section>& sections,
 
 std::vector<std::byte> package_bytes(const TreeModel& tree, Progress& progress) {
   check_tree_model(tree);
-  const std::vector<Section> sections = list_sections(tree);
+  std::vector<OrderedLevel> ordered;
+  for (const TreeLevel& level : tree.levels) ordered.push_back(order_level(level));
+  const std::vector<Section> sections = list_sections(tree, ordered);
   progress.begin("Packing", sections.size());
   std::vector<PackedSection> packed(sections.size());
   tbb::parallel_for(std::size_t(0), sections.size(), [&](std::size_t i) {

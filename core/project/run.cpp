@@ -39,19 +39,20 @@ Keys stage_keys(const Capture& capture, const Recipe& recipe) {
 class Runner {
  public:
   Runner(const Project& project, const Capture& capture, const std::vector<std::string>& wanted,
-         Progress& progress)
+         Progress& progress, Share share)
       : capture_(capture),
         recipe_(project.recipe),
         keys_(stage_keys(capture, project.recipe)),
         cache_(project.cache_folder()),
         wanted_(wanted.begin(), wanted.end()),
-        progress_(progress) {
+        progress_(progress),
+        share_(share) {
     for (const std::string& stage : wanted) plan(stage_named(stage));
   }
 
   Run run() {
     for (const std::string& stage : wanted_) obtain(stage_named(stage));
-    progress_.scope(0.0, 1.0);
+    progress_.scope(share_.to, share_.to);
     return std::move(run_);
   }
 
@@ -104,7 +105,9 @@ class Runner {
 
   void begin_share(const Stage& stage) {
     const double total = std::max(total_share_, done_share_ + stage.share);
-    progress_.scope(done_share_ / total, (done_share_ + stage.share) / total, stage.title);
+    const double width = (share_.to - share_.from) / total;
+    progress_.scope(share_.from + width * done_share_,
+                    share_.from + width * (done_share_ + stage.share), stage.title);
     progress_.begin("starting", 1);
     done_share_ += stage.share;
   }
@@ -139,6 +142,7 @@ class Runner {
   Cache cache_;
   std::set<std::string> wanted_;
   Progress& progress_;
+  Share share_;
   Run run_;
   std::set<std::string> to_compute_;
   double total_share_ = 0.0, done_share_ = 0.0;
@@ -167,8 +171,8 @@ std::vector<StageTime> times_spent(const Project& project, const Capture& captur
 }
 
 Run run_stages(const Project& project, const Capture& capture,
-               const std::vector<std::string>& wanted, Progress& progress) {
-  return Runner(project, capture, wanted, progress).run();
+               const std::vector<std::string>& wanted, Progress& progress, Share share) {
+  return Runner(project, capture, wanted, progress, share).run();
 }
 
 }  // namespace bosk

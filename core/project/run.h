@@ -32,11 +32,16 @@ bool is_finished(const Project& project, const Capture& capture, const std::stri
 // What each finished stage took to make; the others are left out.
 std::vector<StageTime> times_spent(const Project& project, const Capture& capture);
 
+// The part of a job that a run is.
+struct Share {
+  double from = 0.0, to = 1.0;
+};
+
 // Makes the results of the wanted stages: from the cache where it holds them, else by computing
 // them and what they need, each stored as soon as it is made. Killed and called again, it goes on
 // after the last stored result, to the same bits. Only one process may work on a project: see
 // lock.h.
 Run run_stages(const Project& project, const Capture& capture,
-               const std::vector<std::string>& wanted, Progress& progress);
+               const std::vector<std::string>& wanted, Progress& progress, Share share = {});
 
 }  // namespace bosk

@@ -1,6 +1,7 @@
 #include "core/project/stages.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
@@ -98,7 +99,7 @@ void hash_left_out(ContentHasher& hasher, const Capture& capture) {
 }
 
 Stage photo_stage() {
-  Stage stage = stage_of("photo", "Photos", 5, {});
+  Stage stage = stage_of("photo", "Photos", 4, {});
   stage.options = [](Recipe& recipe) { return describe(recipe.photo); };
   stage.hash_sources = [](ContentHasher& hasher, const Capture& capture) {
     hash_files(hasher, capture.photos);
@@ -140,7 +141,7 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
 }
 
 Stage matte_stage() {
-  Stage stage = stage_of("matte", "Mattes", 15, {"photo"});
+  Stage stage = stage_of("matte", "Mattes", 4, {"photo"});
   stage.options = [](Recipe& recipe) { return describe(recipe.matte); };
   stage.hash_sources = [](ContentHasher& hasher, const Capture& capture) {
     hash_left_out(hasher, capture);
@@ -149,7 +150,9 @@ Stage matte_stage() {
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
                      Progress& progress) {
-    const Photos photos = kept(results.imported->photos, capture.left_out, true);
+    const Photos& all = results.imported->photos;
+    const Photos some = capture.left_out.empty() ? Photos() : kept(all, capture.left_out, true);
+    const Photos& photos = capture.left_out.empty() ? all : some;
     results.mattes = shared(made_mattes(capture, recipe, photos, progress));
   };
   hold<Mattes>(stage, &Results::mattes, write_stored, read_stored_mattes);
@@ -157,7 +160,7 @@ Stage matte_stage() {
 }
 
 Stage opacity_stage() {
-  Stage stage = stage_of("opacity", "Opacity", 15, {"view", "matte"});
+  Stage stage = stage_of("opacity", "Opacity", 8, {"view", "matte"});
   stage.options = [](Recipe& recipe) { return describe(recipe.opacity); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.opacity =
@@ -168,7 +171,7 @@ Stage opacity_stage() {
 }
 
 Stage radiance_stage() {
-  Stage stage = stage_of("radiance", "Radiance", 60, {"view", "matte", "opacity"});
+  Stage stage = stage_of("radiance", "Radiance", 58, {"view", "matte", "opacity"});
   stage.options = [](Recipe& recipe) { return describe(recipe.radiance); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.radiance = shared(refine_radiance(*results.views, *results.mattes, *results.opacity,
@@ -179,7 +182,7 @@ Stage radiance_stage() {
 }
 
 Stage texture_stage() {
-  Stage stage = stage_of("texture", "Textures", 15, {"view", "radiance"});
+  Stage stage = stage_of("texture", "Textures", 6, {"view", "radiance"});
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.billboards = shared(
@@ -190,7 +193,7 @@ Stage texture_stage() {
 }
 
 Stage compress_stage() {
-  Stage stage = stage_of("compress", "Codebooks", 10, {"texture"});
+  Stage stage = stage_of("compress", "Codebooks", 18, {"texture"});
   stage.options = [](Recipe& recipe) { return describe(recipe.compress); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.textures = shared(compress_billboards(*results.billboards, recipe.compress, progress));
@@ -210,12 +213,14 @@ TreeMetadata metadata_of(const PackOptions& options, std::size_t photos) {
 }
 
 Stage pack_stage() {
-  Stage stage = stage_of("pack", "Package", 2, {"view", "texture", "compress"});
+  Stage stage = stage_of("pack", "Package", 4, {"view", "texture", "compress"});
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());
     TreeModel tree = assemble_tree(*results.billboards, *results.textures, metadata);
+    std::optional<ProgressPart> part(std::in_place, progress, 0.0, 0.7);
     set_level_switches(tree, cameras_of(*results.views), progress);
+    part.emplace(progress, 0.7, 1.0);
     results.package = shared(package_bytes(tree, progress));
   };
   hold<Bytes>(stage, &Results::package, write_bytes, read_bytes);

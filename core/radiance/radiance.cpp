@@ -1,6 +1,7 @@
 #include "core/radiance/radiance.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/opacity/hull.h"
@@ -17,6 +18,9 @@ constexpr float kFaintStart = 0.001f;
 constexpr int kFinestLevel = 9;
 constexpr int kCoarsestStep =
     4;  // photos of coarse levels are averaged over at most this many pixels
+
+// Casting a phase's rays, for the progress: in passes over them, and as a share of a typical phase.
+constexpr double kCastingPasses = 0.5, kCastingShare = 0.15;
 
 RadianceVolume without_faint(const RadianceVolume& volume, float least) {
   std::vector<std::uint32_t> kept;
@@ -66,6 +70,18 @@ std::vector<Phase> phases_of(const RadianceOptions& options, int first_level) {
   if (options.last_epochs > 0)
     phases.push_back({finest, 1, options.last_epochs, 0.3f, 0.5f * faintest});
   return phases;
+}
+
+// What share of the time each phase takes, roughly: its passes times its rays.
+std::vector<double> shares_of(const std::vector<Phase>& phases) {
+  std::vector<double> ends = {0.0};
+  for (const Phase& phase : phases) {
+    const double rays = 1.0 / double(phase.step * phase.step);
+    ends.push_back(ends.back() + rays * (phase.epochs + kCastingPasses));
+  }
+  const double total = ends.back();
+  for (double& end : ends) end /= total;
+  return ends;
 }
 
 FitSchedule schedule_of(const RadianceOptions& options, const Phase& phase) {
@@ -191,7 +207,12 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
   volume.colour.assign(volume.grid.size() * std::size_t(volume.coefficients()) * 3, 0.0f);
   volume = without_faint(volume, kFaintStart);
   int epoch = 0;
-  for (const Phase& phase : phases_of(options, opacity.level())) {
+  const std::vector<Phase> phases = phases_of(options, opacity.level());
+  const std::vector<double> shares = shares_of(phases);
+  for (std::size_t at = 0; at < phases.size(); ++at) {
+    const Phase& phase = phases[at];
+    const ProgressPart phase_part(progress, shares[at], shares[at + 1]);
+    std::optional<ProgressPart> step_part(std::in_place, progress, 0.0, kCastingShare);
     if (phase.level > volume.grid.level()) volume = refined_volume(volume, silhouettes, progress);
     if (volume.grid.size() == 0) throw_empty();
     const TrilinearSupport support(volume.grid);
@@ -199,6 +220,7 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
                                       phase.level, support, progress);
     if (volume.grid.level() == opacity.level() && epoch == 0)
       back_project_colour(volume, cache, support, progress);
+    step_part.emplace(progress, kCastingShare, 1.0);
     fit_volume(volume, cache, support, schedule_of(options, phase), progress, [&](double psnr_db) {
       if (watcher) watcher({volume, ++epoch, psnr_db});
     });

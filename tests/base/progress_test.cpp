@@ -18,6 +18,30 @@ TEST(Progress, MapsStepsIntoTheJob) {
   EXPECT_EQ(heard.back().phrase, "Half of the second half");
 }
 
+TEST(Progress, PartsLieInPartsAndEndWhereTheyBegan) {
+  double heard = 0.0;
+  Progress progress([&](const ProgressReport& report) { heard = report.fraction; }, {});
+  progress.scope(0.5, 1.0);
+  {
+    const ProgressPart half(progress, 0.0, 0.5);
+    const ProgressPart quarter(progress, 0.5, 1.0);
+    progress.begin("step", 10, 1.0, 1.0);
+    EXPECT_DOUBLE_EQ(heard, 0.75);
+    progress.begin("step", 10);
+    EXPECT_DOUBLE_EQ(heard, 0.625);
+  }
+  progress.begin("step", 10, 1.0, 1.0);
+  EXPECT_DOUBLE_EQ(heard, 1.0);
+}
+
+TEST(Progress, NamesThePartOfTheJob) {
+  std::string heard;
+  Progress progress([&](const ProgressReport& report) { heard = report.part; }, {});
+  progress.scope(0.0, 1.0, "Opacity");
+  progress.begin("step", 10);
+  EXPECT_EQ(heard, "Opacity");
+}
+
 TEST(Progress, StopsAParallelLoop) {
   Progress progress;
   std::atomic<int> done{0};

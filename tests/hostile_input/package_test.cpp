@@ -26,7 +26,7 @@ std::string sample_package() {
 // Whether the reader takes it; anything but a tree or an Error fails the test.
 bool is_taken(const std::string& package) {
   try {
-    check_tree_model(read_tree(std::as_bytes(std::span(package)), "hostile.bosk"));
+    check_tree_model(read_tree(std::as_bytes(std::span(package)), "hostile.bosk", 1));
     return true;
   } catch (const Error&) {
     return false;

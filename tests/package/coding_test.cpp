@@ -1,56 +1,61 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <functional>
+#include <vector>
 
-#include "core/base/random.h"
-#include "core/package/atlas_coding.h"
+#include "core/base/error.h"
 #include "core/package/index_coding.h"
 #include "core/package/model_check.h"
-#include "core/package/near_codewords.h"
-#include "tests/package/sample_tree.h"
+#include "core/package/parallel.h"
 
 namespace bosk {
 namespace {
 
-int distance(const CodeAtlas& atlas, std::uint32_t a, std::uint32_t b, int first, int last) {
-  int sum = 0;
-  for (std::size_t t = 0; t < 16; ++t) {
-    for (int channel = first; channel <= last; ++channel) {
-      sum += std::abs(atlas.rgba[atlas_index(atlas, a, t)][channel] -
-                      atlas.rgba[atlas_index(atlas, b, t)][channel]);
+TEST(RankLists, BeginWithTheNumbersAround) {
+  const RankLists lists(10, 5);
+  const auto expect_list = [&](std::uint16_t before, const std::vector<std::uint16_t>& followers) {
+    for (std::size_t rank = 0; rank < followers.size(); ++rank) {
+      EXPECT_EQ(lists.rank(before, followers[rank]), rank) << before << " -> " << followers[rank];
     }
+  };
+  expect_list(4, {4, 3, 5, 2, 6});
+  expect_list(0, {0, 1, 2, 3, 4});
+  expect_list(9, {9, 8, 7, 6, 5});
+  EXPECT_EQ(lists.rank(4, 9), lists.length());
+}
+
+TEST(RankLists, AreNoLongerThanTheCodebook) {
+  EXPECT_EQ(RankLists(3, 255).length(), 3u);
+  EXPECT_EQ(RankLists(1, 255).rank(0, 0), 0u);
+}
+
+TEST(RankLists, AFollowerTradesPlacesHalfWayToTheFront) {
+  RankLists lists(10, 5);
+  EXPECT_EQ(lists.take(4, 4), 6);  // 4 3 5 2 6 becomes 4 3 6 2 5
+  EXPECT_EQ(lists.rank(4, 6), 2u);
+  EXPECT_EQ(lists.rank(4, 5), 4u);
+  EXPECT_EQ(lists.take(4, 1), 3);
+  EXPECT_EQ(lists.rank(4, 3), 0u);
+  lists.learn(4, 9);
+  EXPECT_EQ(lists.rank(4, 9), 4u);
+  EXPECT_EQ(lists.rank(5, 6), 2u);  // other lists stay: 5 4 6 3 7
+}
+
+TEST(RunParallel, RunsEveryTaskOnceAndThrowsTheFirstFailureOfTheList) {
+  std::vector<int> runs(20, 0);
+  std::vector<std::function<void()>> tasks;
+  for (int& run : runs) tasks.push_back([&run] { ++run; });
+  run_parallel(tasks, 4);
+  run_parallel(tasks, 0);
+  EXPECT_EQ(runs, std::vector<int>(20, 2));
+  tasks[7] = [] { throw Error("seven"); };
+  tasks[3] = [] { throw Error("three"); };
+  try {
+    run_parallel(tasks, 4);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "three");
   }
-  return sum;
-}
-
-void expect_lists_as_sorted(CodewordKind kind, int first, int last) {
-  const CodeAtlas atlas = sample_tree({.levels = {}, .colour_codewords = 300}).atlas;
-  const CodeRange codes{40, 250};
-  const NearCodewords near = near_codewords(atlas, codes, kind, 64);
-  for (std::uint32_t codeword = 0; codeword < codes.count; ++codeword) {
-    std::vector<std::pair<int, std::uint16_t>> all;
-    for (std::uint32_t other = 0; other < codes.count; ++other) {
-      all.emplace_back(distance(atlas, codes.first + codeword, codes.first + other, first, last),
-                       other);
-    }
-    std::sort(all.begin(), all.end());
-    for (std::size_t rank = 0; rank < 64; ++rank) {
-      ASSERT_EQ(near.of(codeword)[rank], all[rank].second) << codeword << " rank " << rank;
-    }
-  }
-}
-
-TEST(NearCodewords, ListsColoursAsSortingAllDistancesDoes) {
-  expect_lists_as_sorted(CodewordKind::colour, 0, 2);
-}
-TEST(NearCodewords, ListsAlphasAsSortingAllDistancesDoes) {
-  expect_lists_as_sorted(CodewordKind::alpha, 3, 3);
-}
-
-TEST(NearCodewords, ListsAreNoLongerThanTheCodebook) {
-  const CodeAtlas atlas = sample_tree({.levels = {}}).atlas;
-  EXPECT_EQ(near_codewords(atlas, {3, 5}, CodewordKind::alpha, 64).length, 5u);
-  EXPECT_TRUE(near_codewords(atlas, {3, 0}, CodewordKind::alpha, 64).lists.empty());
 }
 
 TEST(IndexOrder, ViewOrderAndBackIsTheSame) {

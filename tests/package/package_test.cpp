@@ -94,9 +94,12 @@ TEST(TreePackage, RanksTakeATenthLessThanZstdMakesOfTheIndices) {
   const TreeLevel& level = tree.levels[0];
   const IndexShape shape{level.cells.size(), level.views.size(), 1};
   Progress progress;
-  const std::size_t plain =
-      zstd_compress(encode_planes(level.alpha_indices, shape), progress).size() +
-      zstd_compress(encode_planes(level.colour_indices, shape), progress).size();
+  const auto alpha = view_order(level.alpha_indices, shape);
+  const auto live = live_blocks(alpha);
+  std::size_t plain = 0;
+  for (const auto& indices : {alpha, view_order(level.colour_indices, shape)}) {
+    plain += zstd_compress(encode_planes(indices, live), progress).size();
+  }
   std::size_t ranked = 0;
   for (const PackagePart& part : take_apart(package_of(tree)).parts) {
     if (part.type == kAlphaSection || part.type == kColourSection) ranked += part.bytes.size();
@@ -120,6 +123,14 @@ TEST(TreePackage, RefusesAnyShorterOrLongerFile) {
     EXPECT_NE(refusal(package.substr(0, size)), "") << size;
   }
   EXPECT_NE(refusal(package + std::string(8, '\0')), "");
+}
+
+TEST(TreePackage, IsReadTheSameByOneThreadAndMany) {
+  const TreeModel tree = sample_tree({.levels = {2, 3, 4, 5}});
+  const std::string package = package_of(tree);
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    EXPECT_TRUE(same_tree(read_tree(std::as_bytes(std::span(package)), "", threads), tree));
+  }
 }
 
 TEST(TreePackage, RefusalNamesTheFile) {

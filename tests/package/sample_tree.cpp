@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/base/random.h"
-#include "core/package/near_codewords.h"
 
 namespace bosk {
 namespace {
@@ -55,17 +54,16 @@ std::vector<std::uint64_t> shell_cells(int level) {
   return cells;
 }
 
-// Nearer ranks more often; a jump to anywhere once in a while.
-std::uint16_t look_alike(const NearCodewords& near, std::uint16_t from, Random& random) {
-  if (random.below(20) == 0) return std::uint16_t(random.below(near.count));
+// Near numbers, which look alike, more often; a jump to anywhere once in a while.
+std::uint16_t look_alike(std::uint16_t from, std::uint32_t count, Random& random) {
+  if (random.below(20) == 0) return std::uint16_t(random.below(count));
   if (random.below(3) == 0) return from;
-  const double rank = -12.0 * std::log(1.0 - random.uniform());
-  return near.of(from)[std::min(std::size_t(rank), std::size_t(near.length) - 1)];
+  const double step = -6.0 * std::log(1.0 - random.uniform());
+  const int to = int(from) + (random.below(2) == 0 ? 1 : -1) * int(step + 1.0);
+  return std::uint16_t(std::clamp(to, 0, int(count) - 1));
 }
 
 void fill_indices(TreeLevel& level, const TreeModel& tree, Random& random) {
-  const auto alpha_near = near_codewords(tree.atlas, level.alpha_codes, CodewordKind::alpha, 64);
-  const auto colour_near = near_codewords(tree.atlas, level.colour_codes, CodewordKind::colour, 64);
   const std::size_t blocks = std::size_t(level.texels * level.texels) / 16;
   std::vector<std::uint16_t> alpha(blocks, 0), colour(blocks, 0);
   for (const std::uint64_t cell : level.cells) {
@@ -74,8 +72,8 @@ void fill_indices(TreeLevel& level, const TreeModel& tree, Random& random) {
       const double facing = glm::dot(outwards, glm::normalize(tree.view_positions[view]));
       const bool hidden = facing + 0.3 * random.uniform() < -0.1;
       for (std::size_t block = 0; block < blocks; ++block) {
-        alpha[block] = look_alike(alpha_near, alpha[block], random);
-        colour[block] = look_alike(colour_near, colour[block], random);
+        alpha[block] = look_alike(alpha[block], level.alpha_codes.count, random);
+        colour[block] = look_alike(colour[block], level.colour_codes.count, random);
         level.alpha_indices.push_back(hidden ? kPruned : alpha[block]);
         level.colour_indices.push_back(hidden ? 0 : colour[block]);
       }
