@@ -168,8 +168,7 @@ TEST_F(BadInput, AProjectThatAnotherProcessWorksOnIsTemporary) {
   ProgramEnd second;
   // Until the first has taken its lock; other options each time, or there is nothing left to do
   for (int tries = 0; first.is_running() && second.status != 75; ++tries)
-    second =
-        bosk({"matte", "p", "--quiet", "--matte.clusters=" + std::to_string(5 + tries % 28)});
+    second = bosk({"matte", "p", "--quiet", "--matte.clusters=" + std::to_string(5 + tries % 28)});
   expect_refusal(second, "is working on this project", 75);
 }
 
