@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/run_summary.h"
 #include "core/base/system_error.h"
+#include "core/package/container.h"
 #include "core/package/reader.h"
 #include "core/project/run.h"
 #include "core/project/stages.h"
@@ -23,6 +24,39 @@ std::size_t total_codewords(const TreeModel& tree) {
   return codewords;
 }
 
+// Where the bytes of a package go.
+struct PartBytes {
+  const char* name;
+  std::uint32_t type;
+};
+constexpr PartBytes kLevelParts[] = {{"cells", kCellsSection},
+                                     {"live", kLiveSection},
+                                     {"alpha", kAlphaSection},
+                                     {"colour", kColourSection}};
+constexpr PartBytes kSharedParts[] = {{"codewords", kAtlasSection}, {"codewords_bc3", kBc3Section}};
+
+std::size_t part_bytes(const Container& container, const PartBytes& part, std::size_t level = 0) {
+  const SectionEntry* entry = find_section(container, part.type, std::uint32_t(level));
+  return entry ? entry->length : 0;
+}
+
+std::string parts_text(const Container& container, std::span<const PartBytes> parts,
+                       std::size_t level = 0) {
+  std::string text;
+  for (const PartBytes& part : parts) {
+    text += (text.empty() ? "" : ", ") + std::string(part.name) + " " +
+            size_text(part_bytes(container, part, level));
+  }
+  return text;
+}
+
+Json parts_json(const Container& container, std::span<const PartBytes> parts,
+                std::size_t level = 0) {
+  Json json;
+  for (const PartBytes& part : parts) json[part.name] = part_bytes(container, part, level);
+  return json;
+}
+
 std::string level_text(const TreeLevel& level) {
   const std::size_t textures = level.cells.size() * level.views.size();
   return "  level " + std::to_string(level.level) + ": " + std::to_string(level.cells.size()) +
@@ -31,9 +65,10 @@ std::string level_text(const TreeLevel& level) {
          " texels, for cells up to " + number_text(double(level.max_cell_px), 1) + " px\n";
 }
 
-std::string tree_text(const std::string& file, const TreeModel& tree, std::size_t bytes) {
+std::string tree_text(const std::string& file, const TreeModel& tree, const Container& container) {
   const TreeMetadata& about = tree.metadata;
-  std::string text = printable(file) + ": package of a tree, " + size_text(bytes) + "\n";
+  std::string text =
+      printable(file) + ": package of a tree, " + size_text(container.file.size()) + "\n";
   text += "  name: " + printable(about.name) + "\n";
   if (!about.licence.empty()) text += "  licence: " + printable(about.licence) + "\n";
   if (!about.credit.empty()) text += "  credit: " + printable(about.credit) + "\n";
@@ -41,10 +76,12 @@ std::string tree_text(const std::string& file, const TreeModel& tree, std::size_
           std::to_string(about.photo_count) +
           " photos\n  height: " + number_text(about.height_m, 2) + " " + printable(about.units) +
           ", cube of " + number_text(tree.size_m, 2) + " " + printable(about.units) + "\n";
-  for (const TreeLevel& level : tree.levels) text += level_text(level);
+  for (std::size_t i = 0; i < tree.levels.size(); ++i) {
+    text += level_text(tree.levels[i]) + "    " + parts_text(container, kLevelParts, i) + "\n";
+  }
   text += "  codewords: " + std::to_string(total_codewords(tree)) + " in an atlas of " +
           std::to_string(tree.atlas.width_px) + "x" + std::to_string(tree.atlas.height_px) +
-          " texels\n";
+          " texels\n    " + parts_text(container, kSharedParts) + "\n";
   return text;
 }
 
@@ -59,12 +96,16 @@ Json level_json(const TreeLevel& level) {
           {"alpha_codewords", level.alpha_codes.count}};
 }
 
-Json tree_json(const TreeModel& tree, std::size_t bytes) {
+Json tree_json(const TreeModel& tree, const Container& container) {
   const TreeMetadata& about = tree.metadata;
   Json levels = Json::array();
-  for (const TreeLevel& level : tree.levels) levels.push_back(level_json(level));
+  for (std::size_t i = 0; i < tree.levels.size(); ++i) {
+    levels.push_back(level_json(tree.levels[i]));
+    levels.back()["bytes"] = parts_json(container, kLevelParts, i);
+  }
   return {{"kind", "package"},
-          {"bytes", bytes},
+          {"bytes", container.file.size()},
+          {"codeword_bytes", parts_json(container, kSharedParts)},
           {"name", about.name},
           {"licence", about.licence},
           {"credit", about.credit},
@@ -81,7 +122,8 @@ Json tree_json(const TreeModel& tree, std::size_t bytes) {
 void show_package(const std::string& file, Console& console) {
   const std::vector<std::byte> bytes = load_package_bytes(file);
   const TreeModel tree = read_tree(bytes, file);
-  console.result(tree_text(file, tree, bytes.size()), tree_json(tree, bytes.size()));
+  const Container container = open_container(bytes);
+  console.result(tree_text(file, tree, container), tree_json(tree, container));
 }
 
 std::string source_text(const std::string& what, const fs::path& path) {

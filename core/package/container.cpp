@@ -44,7 +44,10 @@ Header read_header(std::span<const std::byte> file) {
       ByteCursor(file.subspan(56), "header").value<std::uint64_t>()) {
     damaged("header: wrong checksum");
   }
-  if (header.major_version != kMajorVersion) damaged("header: version 0");
+  if (header.major_version < kMajorVersion) {
+    throw Error("this package has format " + std::to_string(header.major_version) +
+                ".x, which this Bosk no longer reads; pack the tree again");
+  }
   if (cursor.value<std::uint32_t>() != kByteOrderMark) damaged("header: byte order");
   if (cursor.value<std::uint64_t>() != file.size()) damaged("the file was cut short or added to");
   header.section_count = cursor.value<std::uint32_t>();

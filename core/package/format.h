@@ -37,7 +37,7 @@ namespace bosk {
 static_assert(std::endian::native == std::endian::little, "packages are read in place");
 
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'B', 'O', 'S', 'K', 0x0d, 0x0a, 0x1a};
-inline constexpr std::uint16_t kMajorVersion = 1, kMinorVersion = 0;
+inline constexpr std::uint16_t kMajorVersion = 2, kMinorVersion = 0;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304;
 inline constexpr std::size_t kHeaderBytes = 64, kEntryBytes = 48, kSectionAlignment = 8;
 
@@ -67,7 +67,7 @@ inline constexpr std::uint64_t kMaxRatio = 1000;  // decoded : stored, a section
 inline constexpr std::uint32_t kMaxSections = 256;
 inline constexpr std::uint32_t kMaxLevels = 13;  // octree levels 0 to 12
 inline constexpr std::uint32_t kMaxViews = 4096;
-inline constexpr std::uint64_t kMaxCells = std::uint64_t(1) << 24;    // a level
+inline constexpr std::uint64_t kMaxCells = std::uint64_t(1) << 24;    // all levels together
 inline constexpr std::uint64_t kMaxIndices = std::uint64_t(1) << 26;  // alpha, all levels together
 inline constexpr std::uint32_t kMaxCodewords = 4096;                  // a range
 inline constexpr int kMaxAtlasPx = 512;

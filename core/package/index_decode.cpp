@@ -1,28 +1,11 @@
 #include "core/package/index_decode.h"
 
-#include <array>
-#include <numeric>
+#include <algorithm>
 
 #include "core/package/byte_cursor.h"
 
 namespace bosk {
 namespace {
-
-// Which symbol a slot of a context's 2^12 belongs to.
-struct TokenSlot {
-  std::uint32_t frequency_less_one : 12 = 0, offset : 12 = 0, symbol : 8 = 0;
-};
-struct DirectRange {
-  std::uint16_t frequency = 1, start = 0;
-};
-
-// Tables of chances. What no table names decodes as symbol 0: wrong, but within every bound.
-struct Chances {
-  std::array<std::uint16_t, kLiveContexts> pruned{};  // of "pruned", out of 2^12
-  std::vector<TokenSlot> tokens;                      // [context][2^12]
-  std::vector<std::uint16_t> direct_symbols;          // [2^14]
-  std::vector<DirectRange> direct_ranges;             // [symbol]
-};
 
 // Duda's asymmetric numeral systems, range variant, two states in turn so that a processor can work
 // on both. No branch depends on the data. Words beyond the end read as 0 and are told by
@@ -38,16 +21,15 @@ class RansDecoder {
         tokens_(chances.tokens.data()),
         direct_symbols_(chances.direct_symbols.data()),
         direct_ranges_(chances.direct_ranges.data()) {
-    state_ = start();
-    other_ = start();
+    for (std::uint32_t& state : states_) state = start();
   }
 
   bool flag(unsigned context, bool) {
+    constexpr std::uint32_t kOne = 1u << kTokenBits;
     const std::uint32_t pruned = pruned_[context], low = low_bits<kTokenBits>();
-    const bool is_live = low >= pruned;
-    advance<kTokenBits>(is_live ? (1u << kTokenBits) - pruned : pruned,
-                        is_live ? low - pruned : low);
-    return is_live;
+    const std::uint32_t is_live = low >= pruned, if_live = 0 - is_live;
+    advance<kTokenBits>(pruned + (if_live & (kOne - 2 * pruned)), low - (if_live & pruned));
+    return is_live != 0;
   }
   template <class Rank>
   unsigned token(unsigned context, Rank&&) {
@@ -62,21 +44,24 @@ class RansDecoder {
     return symbol;
   }
   // The coder began with both states at the lower end, so a sound stream ends there.
-  bool finished() const { return next_ == end_ && state_ == kRansLow && other_ == kRansLow; }
+  bool finished() const {
+    return next_ == end_ && std::all_of(states_.begin(), states_.end(),
+                                        [](std::uint32_t state) { return state == kRansLow; });
+  }
 
  private:
   template <unsigned kBits>
   std::uint32_t low_bits() const {
-    return state_ & ((1u << kBits) - 1);
+    return states_[0] & ((1u << kBits) - 1);
   }
   template <unsigned kBits>
   void advance(std::uint32_t frequency, std::uint32_t offset) {
-    const std::uint32_t state = frequency * (state_ >> kBits) + offset;
-    const std::uint32_t more = state << 16 | *next_;
-    const bool is_low = state < kRansLow;
-    next_ += is_low && next_ != end_;
-    state_ = other_;
-    other_ = is_low ? more : state;
+    const std::uint32_t state = frequency * (states_[0] >> kBits) + offset;
+    const std::uint32_t is_low = state < kRansLow;
+    const std::uint32_t more = (0 - is_low) & *next_;
+    next_ += is_low & std::uint32_t(next_ != end_);
+    for (unsigned i = 1; i < kRansStates; ++i) states_[i - 1] = states_[i];
+    states_[kRansStates - 1] = state << 16 * is_low | more;
   }
   std::uint32_t start() {
     if (end_ - next_ < 2) return 0;
@@ -89,21 +74,24 @@ class RansDecoder {
   const TokenSlot* tokens_;
   const std::uint16_t* direct_symbols_;
   const DirectRange* direct_ranges_;
-  std::uint32_t state_ = 0, other_ = 0;
+  std::array<std::uint32_t, kRansStates> states_{};
 };
 
-// Frequencies of symbols 0 up, which add up to `one`, or none at all.
+// Frequencies of symbols 0 up, which add up to `one`, or none at all. A 0 is followed by how many
+// more there are.
 std::vector<std::uint32_t> read_frequencies(ByteCursor& cursor, std::uint32_t max_symbols,
                                             std::uint32_t one) {
   const std::uint64_t count = cursor.varint();
   if (count > max_symbols) damaged(cursor.section() + ": too many symbols");
   std::vector<std::uint32_t> frequencies;
   std::uint64_t left = count == 0 ? 0 : one;
-  for (std::uint64_t i = 0; i < count; ++i) {
+  while (frequencies.size() < count) {
     const std::uint64_t frequency = cursor.varint();
     if (frequency > left) damaged(cursor.section() + ": chances beyond 1");
+    const std::uint64_t more = frequency == 0 ? cursor.varint() : 0;
+    if (more >= count - frequencies.size()) damaged(cursor.section() + ": too many symbols");
+    frequencies.resize(frequencies.size() + more + 1, std::uint32_t(frequency));
     left -= frequency;
-    frequencies.push_back(std::uint32_t(frequency));
   }
   if (left != 0) damaged(cursor.section() + ": chances below 1");
   return frequencies;
@@ -123,7 +111,7 @@ void read_tokens(ByteCursor& cursor, std::uint32_t max_symbols, std::span<TokenS
 void read_direct(ByteCursor& cursor, std::uint32_t codewords, Chances& chances) {
   const auto frequencies = read_frequencies(cursor, codewords, 1u << kDirectBits);
   chances.direct_symbols.assign(std::size_t(1) << kDirectBits, 0);
-  chances.direct_ranges.assign(codewords, {});
+  chances.direct_ranges.assign(std::max<std::size_t>(1, codewords), {});
   std::uint32_t start = 0;
   for (std::uint32_t symbol = 0; symbol < frequencies.size(); ++symbol) {
     chances.direct_ranges[symbol] = {std::uint16_t(frequencies[symbol]), std::uint16_t(start)};
@@ -132,86 +120,89 @@ void read_direct(ByteCursor& cursor, std::uint32_t codewords, Chances& chances) 
   }
 }
 
-// The rest of the section as words, and a 0 behind them.
-std::vector<std::uint16_t> read_words(ByteCursor& cursor) {
-  auto words = cursor.array<std::uint16_t>(cursor.left() / 2);
+// The rest of the section: how many words each chunk has, then their words.
+void read_words(ByteCursor& cursor, CodedIndices& coded) {
+  const auto lengths = cursor.array<std::uint32_t>(coded.chunks.size());
+  for (const std::uint32_t length : lengths) {
+    coded.words.push_back(cursor.array<std::uint16_t>(length));
+    coded.words.back().push_back(0);
+  }
   cursor.expect_end();
-  words.push_back(0);
-  return words;
 }
 
-std::span<const std::uint16_t> without_last(const std::vector<std::uint16_t>& words) {
-  return {words.data(), words.size() - 1};
-}
-
-void decode_planes(ByteCursor& cursor, std::span<const std::uint8_t> live,
-                   std::span<std::uint16_t> values) {
-  const std::size_t count = cursor.left() / 2;
-  const auto low = cursor.take(count), high = cursor.take(count);
-  cursor.expect_end();
-  if (std::accumulate(live.begin(), live.end(), std::size_t(0)) != count) {
-    damaged(cursor.section() + ": number of indices");
-  }
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (live[i] == 0) continue;
-    values[i] = std::uint16_t(unsigned(low[next]) | unsigned(high[next]) << 8);
-    ++next;
-  }
-}
-
-void decode_ranked(ByteCursor& cursor, const IndexShape& shape, std::span<const std::uint8_t> live,
-                   std::uint32_t codewords, std::span<std::uint16_t> values) {
-  const std::uint32_t length = cursor.value<std::uint8_t>(), buckets = cursor.value<std::uint8_t>();
-  if (length < 1 || buckets < 1 || buckets > kMaxBuckets || codewords < 1) {
-    damaged(cursor.section() + ": parameters of the index coding");
-  }
-  RankLists lists(codewords, length);
-  Chances chances;
-  chances.tokens.resize(std::size_t(buckets) << kTokenBits);
-  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-    read_tokens(cursor, lists.length() + 1,
-                std::span(chances.tokens).subspan(bucket << kTokenBits, 1u << kTokenBits));
-  }
-  read_direct(cursor, codewords, chances);
-  const auto words = read_words(cursor);
-  const auto ended = walk_indices(shape, live, codewords, buckets, std::move(lists), values,
-                                  RansDecoder(without_last(words), chances));
-  if (!ended.finished()) damaged(cursor.section() + ": coded indices do not end well");
+RansDecoder decoder_of(const CodedIndices& coded, std::size_t chunk) {
+  const std::vector<std::uint16_t>& words = coded.words[chunk];
+  return {{words.data(), words.size() - 1}, coded.chances};
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> decode_live(std::span<const std::byte> bytes, const IndexShape& shape,
-                                      const std::string& name) {
+CodedIndices open_live(std::span<const std::byte> bytes, const IndexShape& shape,
+                       const std::string& name) {
   ByteCursor cursor(bytes, name);
-  Chances chances;
-  for (std::uint16_t& chance : chances.pruned) {
+  CodedIndices coded;
+  coded.name = name;
+  const auto kind = cursor.value<std::uint8_t>();
+  if (kind > 1) damaged(name + ": unknown coding of flags");
+  coded.is_coded = kind == 1;
+  coded.chunks = index_chunks(shape);
+  if (!coded.is_coded) {
+    cursor.expect_end();
+    return coded;
+  }
+  for (std::uint16_t& chance : coded.chances.pruned) {
     chance = cursor.value<std::uint16_t>();
     if (chance == 0 || chance >= 1u << kTokenBits) damaged(name + ": chances");
   }
-  const auto words = read_words(cursor);
-  std::vector<std::uint8_t> live(shape.count());
-  const auto ended = walk_live(shape, live, RansDecoder(without_last(words), chances));
-  if (!ended.finished()) damaged(name + ": coded flags do not end well");
+  read_words(cursor, coded);
+  return coded;
+}
+
+CodedIndices open_indices(std::span<const std::byte> bytes, const IndexShape& shape,
+                          std::uint32_t codewords, const std::string& name) {
+  ByteCursor cursor(bytes, name);
+  CodedIndices coded;
+  coded.name = name;
+  const auto kind = cursor.value<std::uint8_t>(), ranks = cursor.value<std::uint8_t>();
+  if (kind > 1 || ranks < 1) damaged(name + ": unknown coding of indices");
+  coded.goes_by_parents = kind == 1;
+  coded.codewords = codewords;
+  coded.ranks = std::min<std::uint32_t>(ranks, codewords);
+  coded.chances.tokens.resize(std::size_t(kTokenContexts) << kTokenBits);
+  for (std::size_t context = 0; context < kTokenContexts; ++context) {
+    read_tokens(cursor, coded.ranks + 1,
+                std::span(coded.chances.tokens).subspan(context << kTokenBits, 1u << kTokenBits));
+  }
+  read_direct(cursor, codewords, coded.chances);
+  coded.chunks = index_chunks(shape);
+  read_words(cursor, coded);
+  return coded;
+}
+
+std::vector<std::uint8_t> decode_live(const CodedIndices& coded, std::size_t chunk) {
+  const IndexShape& shape = coded.chunks[chunk].shape;
+  std::vector<std::uint8_t> live(shape.count(), 1);
+  if (!coded.is_coded) return live;
+  const auto ended = walk_live(shape, live, decoder_of(coded, chunk));
+  if (!ended.finished()) damaged(coded.name + ": coded flags do not end well");
   return live;
 }
 
-std::vector<std::uint16_t> decode_indices(std::span<const std::byte> bytes, const IndexShape& shape,
-                                          std::span<const std::uint8_t> live,
-                                          std::uint32_t codewords, std::uint16_t pruned_value,
-                                          const std::string& name) {
-  ByteCursor cursor(bytes, name);
-  std::vector<std::uint16_t> values(shape.count(), pruned_value);
-  const auto transform = IndexTransform(cursor.value<std::uint8_t>());
-  if (transform == IndexTransform::planes) {
-    decode_planes(cursor, live, values);
-  } else if (transform == IndexTransform::ranked) {
-    decode_ranked(cursor, shape, live, codewords, values);
-  } else {
-    damaged(name + ": unknown coding of indices");
+void decode_indices(const CodedIndices& coded, std::size_t chunk,
+                    std::span<const std::uint8_t> live, std::uint16_t pruned_value,
+                    const ParentIndices* parents, std::uint32_t parent_codewords,
+                    std::span<std::uint16_t> indices) {
+  if (coded.codewords == 0 && std::find(live.begin(), live.end(), 1) != live.end()) {
+    damaged(coded.name + ": indices without codewords");
   }
-  return cell_order(values, shape);
+  const IndexChunk& part = coded.chunks[chunk];
+  std::vector<std::uint16_t> values(part.shape.count(), pruned_value);
+  RankLists lists(std::max(coded.codewords, parents ? parent_codewords : 0), coded.codewords,
+                  coded.ranks);
+  const auto ended = walk_indices(live, first_past(part, parents), std::move(lists), values,
+                                  decoder_of(coded, chunk));
+  if (!ended.finished()) damaged(coded.name + ": coded indices do not end well");
+  cell_order(values, part.shape, part.of(indices));
 }
 
 }  // namespace bosk

@@ -1,21 +1,21 @@
 #include "core/package/index_encode.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/package/byte_sink.h"
 
 namespace bosk {
 namespace {
 
-// What a walk met, in order; coded backwards once the statistics are known. `table` counts flags'
-// contexts, or tokens' and then, as the last, the table of direct indices.
+// What the walk of a chunk met, in order; coded backwards once the statistics are known. `table`
+// counts flags' contexts, or tokens' and then, as the last, the table of direct indices.
 struct Event {
   std::uint16_t table = 0, symbol = 0;
 };
 
 // A coder for the walks that writes down instead of coding.
 struct Recorder {
-  std::uint16_t direct_table = 0;
   std::vector<Event> events;
 
   bool flag(unsigned context, bool is_live) {
@@ -29,7 +29,7 @@ struct Recorder {
     return value;
   }
   std::uint16_t direct(std::uint16_t value) {
-    events.push_back({direct_table, value});
+    events.push_back({kTokenContexts, value});
     return value;
   }
 };
@@ -72,89 +72,112 @@ void finish(Table& table) {
 std::vector<std::uint16_t> rans_words(const std::vector<Event>& events,
                                       const std::vector<Table>& tables) {
   std::vector<std::uint16_t> words;
-  std::uint32_t state[2] = {kRansLow, kRansLow};
+  std::array<std::uint32_t, kRansStates> states;
+  states.fill(kRansLow);
   for (std::size_t i = events.size(); i-- > 0;) {
     const Table& table = tables[events[i].table];
     const std::uint32_t frequency = table.frequencies[events[i].symbol];
-    std::uint32_t& x = state[i & 1];
+    std::uint32_t& x = states[i % kRansStates];
     if (x >= std::uint64_t(frequency) << (32 - table.bits)) {
       words.push_back(std::uint16_t(x));
       x >>= 16;
     }
     x = (x / frequency << table.bits) + x % frequency + table.starts[events[i].symbol];
   }
-  for (const std::uint32_t x : {state[1], state[0]}) {
-    words.push_back(std::uint16_t(x));
-    words.push_back(std::uint16_t(x >> 16));
+  for (std::size_t i = kRansStates; i-- > 0;) {
+    words.push_back(std::uint16_t(states[i]));
+    words.push_back(std::uint16_t(states[i] >> 16));
   }
   std::reverse(words.begin(), words.end());
   return words;
 }
 
 void put_frequencies(ByteSink& sink, const Table& table) {
-  std::size_t used = table.frequencies.size();
-  while (used > 0 && table.frequencies[used - 1] == 0) --used;
+  const auto& frequencies = table.frequencies;
+  std::size_t used = frequencies.size();
+  while (used > 0 && frequencies[used - 1] == 0) --used;
   sink.varint(used);
-  for (std::size_t symbol = 0; symbol < used; ++symbol) sink.varint(table.frequencies[symbol]);
+  for (std::size_t symbol = 0; symbol < used; ++symbol) {
+    sink.varint(frequencies[symbol]);
+    if (frequencies[symbol] != 0) continue;
+    const std::size_t first = symbol;
+    while (frequencies[symbol + 1] == 0) ++symbol;
+    sink.varint(symbol - first);
+  }
+}
+
+// 1 for each index that is not kPruned.
+std::vector<std::uint8_t> live_blocks(const std::vector<std::uint16_t>& alpha) {
+  std::vector<std::uint8_t> live;
+  for (const std::uint16_t index : alpha) live.push_back(index != kPruned);
+  return live;
+}
+
+void count(const std::vector<Recorder>& chunks, std::vector<Table>& tables) {
+  for (const Recorder& chunk : chunks) {
+    for (const Event& event : chunk.events) ++tables[event.table].frequencies[event.symbol];
+  }
+  for (Table& table : tables) finish(table);
+}
+
+void put_words(ByteSink& sink, const std::vector<Recorder>& chunks,
+               const std::vector<Table>& tables) {
+  ByteSink words;
+  for (const Recorder& chunk : chunks) {
+    const auto coded = rans_words(chunk.events, tables);
+    sink.value(std::uint32_t(coded.size()));
+    words.append(std::as_bytes(std::span(coded)));
+  }
+  sink.append(words.bytes);
+}
+
+// Longer lists tell more; beyond half a megabyte they grow out of a processor's cache.
+std::uint32_t list_length(std::uint32_t befores) {
+  constexpr std::uint32_t kCachedEntries = 1 << 18;
+  return std::clamp(kCachedEntries / std::max<std::uint32_t>(1, befores), 16u, kMaxRanks);
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> live_blocks(std::span<const std::uint16_t> alpha_in_view_order) {
-  std::vector<std::uint8_t> live;
-  for (const std::uint16_t index : alpha_in_view_order) live.push_back(index != kPruned);
-  return live;
-}
-
-std::vector<std::byte> encode_live(std::span<const std::uint8_t> live, const IndexShape& shape) {
-  std::vector<std::uint8_t> flags(live.begin(), live.end());
-  const Recorder recorder = walk_live(shape, flags, Recorder{});
+std::vector<std::byte> encode_live(std::span<const std::uint16_t> alpha, const IndexShape& shape) {
+  const bool is_coded = std::find(alpha.begin(), alpha.end(), kPruned) != alpha.end();
+  if (!is_coded) return {std::byte(0)};
+  std::vector<Recorder> chunks;
+  for (const IndexChunk& chunk : index_chunks(shape)) {
+    auto flags = live_blocks(view_order(chunk.of(alpha), chunk.shape));
+    chunks.push_back(walk_live(chunk.shape, flags, Recorder{}));
+  }
   // Both flags stay possible in every context: the reader wants no empty range.
   std::vector<Table> tables(kLiveContexts, {kTokenBits, {1, 1}, {}});
-  for (const Event& event : recorder.events) ++tables[event.table].frequencies[event.symbol];
-  ByteSink sink;
-  for (Table& table : tables) {
-    finish(table);
-    sink.value(std::uint16_t(table.frequencies[0]));
-  }
-  const auto words = rans_words(recorder.events, tables);
-  sink.append(std::as_bytes(std::span(words)));
+  count(chunks, tables);
+  ByteSink sink{{std::byte(1)}};
+  for (const Table& table : tables) sink.value(std::uint16_t(table.frequencies[0]));
+  put_words(sink, chunks, tables);
   return std::move(sink.bytes);
 }
 
-std::vector<std::byte> encode_planes(std::span<const std::uint16_t> indices,
-                                     std::span<const std::uint8_t> live) {
-  ByteSink sink, high;
-  sink.value(std::uint8_t(IndexTransform::planes));
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (live[i] == 0) continue;
-    sink.value(std::uint8_t(indices[i] & 0xff));
-    high.value(std::uint8_t(indices[i] >> 8));
+std::vector<std::byte> encode_indices(std::span<const std::uint16_t> indices,
+                                      std::span<const std::uint16_t> alpha, const IndexShape& shape,
+                                      std::uint32_t codewords, const ParentIndices* parents,
+                                      std::uint32_t parent_codewords) {
+  const std::uint32_t befores = std::max(codewords, parents ? parent_codewords : 0);
+  const std::uint32_t ranks = list_length(befores);
+  std::vector<Recorder> chunks;
+  for (const IndexChunk& chunk : index_chunks(shape)) {
+    const auto live = live_blocks(view_order(chunk.of(alpha), chunk.shape));
+    auto values = view_order(chunk.of(indices), chunk.shape);
+    chunks.push_back(walk_indices(live, first_past(chunk, parents),
+                                  RankLists(befores, codewords, ranks), values, Recorder{}));
   }
-  sink.append(high.bytes);
-  return std::move(sink.bytes);
-}
-
-std::vector<std::byte> encode_ranked(std::span<const std::uint16_t> indices,
-                                     std::span<const std::uint8_t> live, const IndexShape& shape,
-                                     std::uint32_t codewords, unsigned ranks, unsigned buckets) {
-  std::vector<std::uint16_t> values(indices.begin(), indices.end());
-  const Recorder recorder =
-      walk_indices(shape, live, codewords, buckets, RankLists(codewords, ranks), values,
-                   Recorder{std::uint16_t(buckets), {}});
-  std::vector<Table> tables(buckets, {kTokenBits, std::vector<std::uint32_t>(kMaxRanks + 1), {}});
+  std::vector<Table> tables(kTokenContexts,
+                            {kTokenBits, std::vector<std::uint32_t>(kMaxRanks + 1), {}});
   tables.push_back({kDirectBits, std::vector<std::uint32_t>(codewords), {}});
-  for (const Event& event : recorder.events) ++tables[event.table].frequencies[event.symbol];
+  count(chunks, tables);
   ByteSink sink;
-  sink.value(std::uint8_t(IndexTransform::ranked));
+  sink.value(std::uint8_t(parents != nullptr));
   sink.value(std::uint8_t(ranks));
-  sink.value(std::uint8_t(buckets));
-  for (Table& table : tables) {
-    finish(table);
-    put_frequencies(sink, table);
-  }
-  const auto words = rans_words(recorder.events, tables);
-  sink.append(std::as_bytes(std::span(words)));
+  for (const Table& table : tables) put_frequencies(sink, table);
+  put_words(sink, chunks, tables);
   return std::move(sink.bytes);
 }
 

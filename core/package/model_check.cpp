@@ -28,7 +28,6 @@ void check_range(const CodeRange& codes, const CodeAtlas& atlas, const std::stri
 }
 
 void check_cells(const TreeLevel& level, const std::string& name) {
-  if (level.cells.size() > kMaxCells) damaged(name + ": too many cells");
   const auto& cells = level.cells;
   const auto not_ascending = std::adjacent_find(cells.begin(), cells.end(), std::greater_equal<>());
   if (not_ascending != cells.end()) damaged(name + ": cells out of order");
@@ -45,15 +44,16 @@ struct IndexExtremes {
 };
 IndexExtremes index_extremes(const TreeLevel& level) {
   const std::uint16_t *alphas = level.alpha_indices.data(), *colours = level.colour_indices.data();
-  IndexExtremes extremes;
+  std::uint16_t largest_alpha = 0, largest_colour = 0, pruned_colours = 0, live = 0;
   for (std::size_t i = 0; i < level.alpha_indices.size(); ++i) {
-    const std::uint16_t pruned = alphas[i] == kPruned ? 0xffff : 0, alpha = alphas[i] & ~pruned;
-    extremes.largest_alpha = std::max(extremes.largest_alpha, alpha);
-    extremes.largest_colour = std::max(extremes.largest_colour, colours[i]);
-    extremes.pruned_colours |= colours[i] & pruned;
-    extremes.live |= std::uint16_t(~pruned);
+    const std::uint16_t pruned = alphas[i] == kPruned ? 0xffff : 0, not_pruned = ~pruned;
+    const std::uint16_t alpha = alphas[i] & not_pruned, colour = colours[i];
+    largest_alpha = alpha > largest_alpha ? alpha : largest_alpha;
+    largest_colour = colour > largest_colour ? colour : largest_colour;
+    pruned_colours |= colour & pruned;
+    live |= not_pruned;
   }
-  return extremes;
+  return {largest_alpha, largest_colour, pruned_colours, live};
 }
 
 void check_indices(const TreeLevel& level, const std::string& name) {
@@ -157,7 +157,7 @@ void check_tree_model(const TreeModel& tree) {
   check_atlas(tree.atlas);
   if (tree.levels.size() > kMaxLevels) damaged("too many levels");
   int previous = -1;
-  std::uint64_t indices = 0;
+  std::uint64_t indices = 0, cells = 0;
   for (const TreeLevel& level : tree.levels) {
     const std::string name = "level " + std::to_string(level.level);
     check_level_frame(level, tree);
@@ -166,8 +166,10 @@ void check_tree_model(const TreeModel& tree) {
     check_cells(level, name);
     check_indices(level, name);
     indices += level.alpha_indices.size();
+    cells += level.cells.size();
   }
   if (indices > kMaxIndices) damaged("too many indices");
+  if (cells > kMaxCells) damaged("too many cells");
 }
 
 }  // namespace bosk

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <optional>
 
 #include "core/package/container.h"
 #include "core/package/index_decode.h"
@@ -18,44 +19,122 @@ IndexShape index_shape(const LevelFrame& frame) {
   return {frame.cell_count, frame.level.views.size(), across * across};
 }
 
-// Before any index is decoded: their number follows from the table, not from the bytes there are.
-void check_index_total(const std::vector<LevelFrame>& frames) {
-  std::uint64_t total = 0;
-  for (const LevelFrame& frame : frames) {
-    if (frame.cell_count > kMaxCells) damaged("levels: too many cells");
-    total += index_shape(frame).count();
+using Tasks = std::vector<std::function<void()>>;
+
+// Before memory is asked for: numbers that follow from the table, not from the bytes there are.
+void check_counts(const Container& container, const std::vector<LevelFrame>& frames) {
+  std::uint64_t indices = 0, all_cells = 0;
+  for (std::uint32_t i = 0; i < frames.size(); ++i) {
+    const LevelFrame& frame = frames[i];
+    const SectionEntry* cells = find_section(container, kCellsSection, i);
+    if (frame.cell_count > kMaxCells - all_cells ||
+        (cells && frame.cell_count / 8 > cells->raw_length)) {
+      damaged("levels: too many cells");
+    }
+    all_cells += frame.cell_count;
+    if (i > 0 && frame.level.level <= frames[i - 1].level.level) {
+      damaged("levels out of order");
+    }
+    indices += index_shape(frame).count();
   }
-  if (total > kMaxIndices) damaged("levels: too many indices");
+  if (indices > kMaxIndices) damaged("levels: too many indices");
 }
 
-// Two rounds, since indices need to know which blocks are live. Levels are independent, and the
-// alpha and colour of one too; the finest and so longest go first.
+// Each level's cells build on those of the level before.
+void read_cells(const Container& container, const std::vector<LevelFrame>& frames,
+                std::vector<TreeLevel>& levels) {
+  for (std::uint32_t i = 0; i < levels.size(); ++i) {
+    std::span<const std::uint64_t> parents;
+    if (i > 0 && levels[i - 1].level + 1 == levels[i].level) parents = levels[i - 1].cells;
+    levels[i].cells = decode_cells(section_bytes(container, kCellsSection, i), frames[i], parents);
+  }
+}
+
+// Alpha or colour of one level, in chunks.
+struct IndexReading {
+  CodedIndices coded;
+  std::vector<std::uint16_t>* indices = nullptr;
+  std::optional<ParentIndices> parents;
+  std::uint32_t parent_codewords = 0;
+
+  void add_tasks(const std::vector<std::vector<std::uint8_t>>& live, std::uint16_t pruned_value,
+                 Tasks& tasks) {
+    for (std::size_t chunk = 0; chunk < coded.chunks.size(); ++chunk) {
+      tasks.push_back([this, &live, pruned_value, chunk] {
+        decode_indices(coded, chunk, live[chunk], pruned_value, parents ? &*parents : nullptr,
+                       parent_codewords, *indices);
+      });
+    }
+  }
+};
+
+IndexReading open_reading(const Container& container, const std::vector<LevelFrame>& frames,
+                          std::vector<TreeLevel>& levels, std::uint32_t i, std::uint32_t type,
+                          std::vector<std::uint16_t> TreeLevel::*indices,
+                          CodeRange TreeLevel::*codes) {
+  const std::string name = section_name(type, i);
+  IndexReading reading{open_indices(section_bytes(container, type, i), index_shape(frames[i]),
+                                    (levels[i].*codes).count, name),
+                       &(levels[i].*indices),
+                       {},
+                       0};
+  if (!reading.coded.goes_by_parents) return reading;
+  if (i == 0) damaged(name + ": there is no level before");
+  const TreeLevel& before = levels[i - 1];
+  reading.parents = parent_indices(levels[i], before, before.*indices);
+  reading.parent_codewords = (before.*codes).count;
+  return reading;
+}
+
+// For each level and chunk, which blocks are live.
+using LiveBlocks = std::vector<std::vector<std::vector<std::uint8_t>>>;
+
+std::vector<CodedIndices> open_all_live(const Container& container,
+                                        const std::vector<LevelFrame>& frames) {
+  std::vector<CodedIndices> coded;
+  for (std::uint32_t i = 0; i < frames.size(); ++i) {
+    coded.push_back(open_live(section_bytes(container, kLiveSection, i), index_shape(frames[i]),
+                              section_name(kLiveSection, i)));
+  }
+  return coded;
+}
+
+// Cells and live blocks of all levels, and memory for the indices; the longest go first.
+LiveBlocks read_cells_and_live(const Container& container, const std::vector<LevelFrame>& frames,
+                               std::vector<TreeLevel>& levels, unsigned threads) {
+  const std::vector<CodedIndices> coded = open_all_live(container, frames);
+  LiveBlocks live(frames.size());
+  Tasks tasks{[&] { read_cells(container, frames, levels); }};
+  for (std::size_t i = frames.size(); i-- > 0;) {
+    live[i].resize(coded[i].chunks.size());
+    for (std::size_t chunk = 0; chunk < live[i].size(); ++chunk) {
+      tasks.push_back([&, i, chunk] { live[i][chunk] = decode_live(coded[i], chunk); });
+    }
+    const std::size_t count = index_shape(frames[i]).count();
+    tasks.push_back([&, i, count] { levels[i].alpha_indices.resize(count); });
+    tasks.push_back([&, i, count] { levels[i].colour_indices.resize(count); });
+  }
+  run_parallel(tasks, threads);
+  return live;
+}
+
+// Indices need to know which blocks are live, and may need the level before. Within a level alpha,
+// colour and chunks of cells are independent.
 std::vector<TreeLevel> read_levels(const Container& container,
                                    const std::vector<LevelFrame>& frames, unsigned threads) {
-  std::vector<TreeLevel> levels(frames.size());
-  std::vector<std::vector<std::uint8_t>> live(frames.size());
-  std::vector<std::function<void()>> first, second;
-  for (std::uint32_t i = std::uint32_t(frames.size()); i-- > 0;) {
-    first.push_back([&, i] {
-      levels[i] = frames[i].level;
-      levels[i].cells = decode_cells(section_bytes(container, kCellsSection, i), frames[i]);
-      live[i] = decode_live(section_bytes(container, kLiveSection, i), index_shape(frames[i]),
-                            section_name(kLiveSection, i));
-    });
-    const auto read = [&, i](std::uint32_t type, const CodeRange& codes,
-                             std::uint16_t pruned_value) {
-      return decode_indices(section_bytes(container, type, i), index_shape(frames[i]), live[i],
-                            codes.count, pruned_value, section_name(type, i));
-    };
-    second.push_back([&, i, read] {
-      levels[i].alpha_indices = read(kAlphaSection, frames[i].level.alpha_codes, kPruned);
-    });
-    second.push_back([&, i, read] {
-      levels[i].colour_indices = read(kColourSection, frames[i].level.colour_codes, 0);
-    });
+  std::vector<TreeLevel> levels;
+  for (const LevelFrame& frame : frames) levels.push_back(frame.level);
+  const LiveBlocks live = read_cells_and_live(container, frames, levels, threads);
+  for (std::uint32_t i = 0; i < frames.size(); ++i) {
+    auto colour = open_reading(container, frames, levels, i, kColourSection,
+                               &TreeLevel::colour_indices, &TreeLevel::colour_codes);
+    auto alpha = open_reading(container, frames, levels, i, kAlphaSection,
+                              &TreeLevel::alpha_indices, &TreeLevel::alpha_codes);
+    Tasks tasks;
+    colour.add_tasks(live[i], 0, tasks);
+    alpha.add_tasks(live[i], kPruned, tasks);
+    run_parallel(tasks, threads);
   }
-  run_parallel(first, threads);
-  run_parallel(second, threads);
   return levels;
 }
 
@@ -67,7 +146,7 @@ TreeModel read_sections(const Container& container, unsigned threads) {
       decode_atlas(section_bytes(container, kAtlasSection), section_bytes(container, kBc3Section));
   const auto frames = decode_levels(section_bytes(container, kLevelsSection));
   for (const LevelFrame& frame : frames) check_level_frame(frame.level, tree);
-  check_index_total(frames);
+  check_counts(container, frames);
   tree.levels = read_levels(container, frames, threads);
   check_tree_model(tree);
   return tree;

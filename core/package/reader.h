@@ -12,7 +12,7 @@ namespace bosk {
 
 // The tree in a package. Any damage, any broken promise of tree_model.h and any excess over the
 // limits of format.h throws Error that begins with the file's name; so does a package of a newer
-// major version. Memory stays below 512 MiB whatever the bytes are. Any number of threads gives the
+// major version. Memory stays below 1 GiB whatever the bytes are. Any number of threads gives the
 // same.
 TreeModel read_tree(std::span<const std::byte> package, const std::string& name,
                     unsigned threads = 2);

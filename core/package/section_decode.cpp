@@ -1,6 +1,8 @@
 #include "core/package/section_decode.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <set>
 
@@ -61,6 +63,35 @@ LevelFrame read_level(ByteCursor& cursor) {
   if (view_count > kMaxViews) damaged("levels: too many views");
   level.views = cursor.array<std::uint32_t>(view_count);
   return frame;
+}
+
+// The bits that are set in a byte, lowest first: eight are written whatever it is, so that no
+// branch depends on it.
+constexpr auto kOctantsThere = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> octants{};
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    std::size_t count = 0;
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      if (byte >> bit & 1u) octants[byte][count++] = std::uint8_t(bit);
+    }
+  }
+  return octants;
+}();
+
+// Parents that the level before lacks; all of them where there is no such level.
+std::vector<std::uint64_t> read_extra_parents(ByteCursor& cursor, int level) {
+  const std::uint64_t count = cursor.varint();
+  if (count > cursor.left()) damaged(cursor.section() + ": too many parents");
+  std::vector<std::uint64_t> parents(count);
+  const std::uint64_t end = level > 0 ? std::uint64_t(1) << (3 * (level - 1)) : 1;
+  std::uint64_t next = 0;
+  for (std::uint64_t& parent : parents) {
+    const std::uint64_t gap = cursor.varint();
+    if (gap >= end - next) damaged(cursor.section() + ": a cell beyond the octree");
+    parent = next + gap;
+    next = parent + 1;
+  }
+  return parents;
 }
 
 }  // namespace
@@ -128,22 +159,30 @@ std::vector<LevelFrame> decode_levels(std::span<const std::byte> bytes) {
   return frames;
 }
 
-std::vector<std::uint64_t> decode_cells(std::span<const std::byte> bytes, const LevelFrame& frame) {
+std::vector<std::uint64_t> decode_cells(std::span<const std::byte> bytes, const LevelFrame& frame,
+                                        std::span<const std::uint64_t> parents) {
   const std::string name = "cells of level " + std::to_string(frame.level.level);
-  // A cell takes at least a byte.
-  if (frame.cell_count > std::min<std::uint64_t>(kMaxCells, bytes.size()))
-    damaged(name + ": too many");
   ByteCursor cursor(bytes, name);
-  std::vector<std::uint64_t> cells(frame.cell_count);
-  const std::uint64_t end = std::uint64_t(1) << (3 * frame.level.level);
-  std::uint64_t next = 0;
-  for (std::uint64_t& cell : cells) {
-    const std::uint64_t gap = cursor.varint();
-    if (gap >= end - next) damaged(name + ": a cell beyond the octree");
-    cell = next + gap;
-    next = cell + 1;
-  }
+  const auto extra = read_extra_parents(cursor, frame.level.level);
+  const auto octants = cursor.take(parents.size() + extra.size());
   cursor.expect_end();
+  // A byte tells of at most eight cells.
+  if (frame.cell_count > octants.size() * 8) damaged(name + ": too many");
+  std::vector<std::uint64_t> cells(frame.cell_count + 8);
+  std::uint64_t* next = cells.data();
+  const std::uint64_t* const end = next + frame.cell_count;
+  std::size_t parent = 0, other = 0;
+  for (const std::byte children : octants) {
+    const bool is_extra =
+        parent == parents.size() || (other < extra.size() && extra[other] < parents[parent]);
+    const std::uint64_t first = (is_extra ? extra[other++] : parents[parent++]) * 8;
+    const auto& octants_there = kOctantsThere[unsigned(children)];
+    for (std::size_t k = 0; k < 8; ++k) next[k] = first + octants_there[k];
+    next += std::popcount(unsigned(children));
+    if (next > end) damaged(name + ": too many");
+  }
+  if (next != end) damaged(name + ": too few");
+  cells.resize(frame.cell_count);
   return cells;
 }
 

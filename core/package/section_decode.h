@@ -24,6 +24,8 @@ struct LevelFrame {
 };
 std::vector<LevelFrame> decode_levels(std::span<const std::byte> bytes);
 
-std::vector<std::uint64_t> decode_cells(std::span<const std::byte> bytes, const LevelFrame& frame);
+// `parents`: the cells of the level before, if that is its parents' level, else none.
+std::vector<std::uint64_t> decode_cells(std::span<const std::byte> bytes, const LevelFrame& frame,
+                                        std::span<const std::uint64_t> parents);
 
 }  // namespace bosk

@@ -101,13 +101,32 @@ std::vector<std::byte> encode_bc3(const CodeAtlas& atlas) {
   return planes;
 }
 
-std::vector<std::byte> encode_cells(const TreeLevel& level) {
-  ByteSink sink;
-  std::uint64_t next = 0;
-  for (const std::uint64_t cell : level.cells) {
-    sink.varint(cell - next);
-    next = cell + 1;
+std::vector<std::byte> encode_cells(std::span<const std::uint64_t> cells,
+                                    std::span<const std::uint64_t> parents) {
+  ByteSink sink, extra, children;
+  std::uint64_t extra_count = 0, next_extra = 0;
+  for (std::size_t i = 0, parent = 0; i < cells.size() || parent < parents.size();) {
+    const std::uint64_t code = i < cells.size() ? cells[i] >> 3 : ~std::uint64_t(0);
+    std::uint8_t octants = 0;
+    if (parent < parents.size() && parents[parent] < code) {
+      ++parent;  // has no children
+    } else {
+      if (parent < parents.size() && parents[parent] == code) {
+        ++parent;
+      } else {
+        ++extra_count;
+        extra.varint(code - next_extra);
+        next_extra = code + 1;
+      }
+      for (; i < cells.size() && cells[i] >> 3 == code; ++i) {
+        octants = std::uint8_t(octants | 1 << (cells[i] & 7));
+      }
+    }
+    children.value(octants);
   }
+  sink.varint(extra_count);
+  sink.append(extra.bytes);
+  sink.append(children.bytes);
   return std::move(sink.bytes);
 }
 

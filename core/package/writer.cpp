@@ -19,13 +19,6 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// Lengths of lists and kinds of statistics to try: more pay off in larger levels. Beyond these the
-// tables grow out of a processor's cache for a few tenths of a percent.
-struct RankedOptions {
-  unsigned ranks, buckets;
-};
-constexpr RankedOptions kRankedOptions[] = {{64, 1}, {255, 4}};
-
 // One way to say a section, before zstd.
 struct Candidate {
   Bytes raw;
@@ -48,36 +41,38 @@ IndexShape index_shape(const TreeLevel& level) {
   return {level.cells.size(), level.views.size(), across * across};
 }
 
-// One level in the order that it is coded in.
-struct OrderedLevel {
-  IndexShape shape;
-  std::vector<std::uint16_t> alpha, colour;
-  std::vector<std::uint8_t> live;
+// A level beside the one before it.
+struct LevelPair {
+  const TreeLevel& level;
+  const TreeLevel* before = nullptr;
+
+  std::span<const std::uint64_t> parents() const {
+    if (!before || before->level + 1 != level.level) return {};
+    return before->cells;
+  }
 };
 
-OrderedLevel order_level(const TreeLevel& level) {
-  OrderedLevel ordered{index_shape(level), {}, {}, {}};
-  ordered.alpha = view_order(level.alpha_indices, ordered.shape);
-  ordered.colour = view_order(level.colour_indices, ordered.shape);
-  ordered.live = live_blocks(ordered.alpha);
-  return ordered;
-}
-
-// Without a view before, ranks have nothing to go by, but direct indices are range coded too.
-std::vector<Candidate> index_candidates(const std::vector<std::uint16_t>& indices,
-                                        const OrderedLevel& level, std::uint32_t codewords) {
-  std::vector<Candidate> candidates{{encode_planes(indices, level.live), false}};
-  for (const auto& [ranks, buckets] : kRankedOptions) {
-    if (codewords == 0) break;
-    candidates.push_back(
-        {encode_ranked(indices, level.live, level.shape, codewords, ranks, buckets), true});
+// The smaller of two ways counts: each cell on its own, or from its parent's index.
+std::vector<Candidate> index_candidates(const LevelPair& pair,
+                                        std::vector<std::uint16_t> TreeLevel::*indices,
+                                        CodeRange TreeLevel::*codes) {
+  const TreeLevel& level = pair.level;
+  const IndexShape shape = index_shape(level);
+  const auto encode = [&](const ParentIndices* parents, std::uint32_t parent_codewords) {
+    return Candidate{encode_indices(level.*indices, level.alpha_indices, shape,
+                                    (level.*codes).count, parents, parent_codewords),
+                     true};
+  };
+  std::vector<Candidate> candidates{encode(nullptr, 0)};
+  if (pair.before) {
+    const ParentIndices parents = parent_indices(level, *pair.before, (*pair.before).*indices);
+    candidates.push_back(encode(&parents, ((*pair.before).*codes).count));
   }
   return candidates;
 }
 
 // In the order of the file.
-std::vector<Section> list_sections(const TreeModel& tree,
-                                   const std::vector<OrderedLevel>& ordered) {
+std::vector<Section> list_sections(const TreeModel& tree) {
   const auto one = [](auto encode) {
     return [=] { return std::vector<Candidate>{{encode(), false}}; };
   };
@@ -88,17 +83,20 @@ std::vector<Section> list_sections(const TreeModel& tree,
       {kAtlasSection, 0, one([&tree] { return encode_atlas(tree.atlas); })},
       {kBc3Section, 0, one([&tree] { return encode_bc3(tree.atlas); })}};
   for (std::uint32_t i = 0; i < tree.levels.size(); ++i) {
-    const TreeLevel& level = tree.levels[i];
-    const OrderedLevel& indices = ordered[i];
-    sections.push_back({kCellsSection, i, one([&level] { return encode_cells(level); })});
+    const LevelPair pair{tree.levels[i], i > 0 ? &tree.levels[i - 1] : nullptr};
     sections.push_back(
-        {kLiveSection, i, one([&indices] { return encode_live(indices.live, indices.shape); })});
-    sections.push_back({kAlphaSection, i, [&] {
-                          return index_candidates(indices.alpha, indices, level.alpha_codes.count);
+        {kCellsSection, i, one([pair] { return encode_cells(pair.level.cells, pair.parents()); })});
+    sections.push_back({kLiveSection, i, one([pair] {
+                          return encode_live(pair.level.alpha_indices, index_shape(pair.level));
+                        })});
+    sections.push_back({kAlphaSection, i, [pair] {
+                          return index_candidates(pair, &TreeLevel::alpha_indices,
+                                                  &TreeLevel::alpha_codes);
                         }});
-    sections.push_back(
-        {kColourSection, i,
-         [&] { return index_candidates(indices.colour, indices, level.colour_codes.count); }});
+    sections.push_back({kColourSection, i, [pair] {
+                          return index_candidates(pair, &TreeLevel::colour_indices,
+                                                  &TreeLevel::colour_codes);
+                        }});
   }
   return sections;
 }
@@ -115,12 +113,7 @@ PackedSection pack(Candidate candidate, const Progress& progress) {
   return {kStored, raw_length, std::move(candidate.raw)};
 }
 
-// Planes are tried where they may win: small levels, and only then is zstd quick to say so.
 PackedSection smallest(std::vector<Candidate> candidates, const Progress& progress) {
-  constexpr std::size_t kFewBytes = 1 << 15;
-  if (candidates.size() > 1 && candidates.front().raw.size() > kFewBytes) {
-    candidates.erase(candidates.begin());
-  }
   PackedSection best = pack(std::move(candidates.front()), progress);
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     PackedSection other = pack(std::move(candidates[i]), progress);
@@ -180,9 +173,7 @@ Bytes assemble_file(const std::vector<Section>& sections,
 
 std::vector<std::byte> package_bytes(const TreeModel& tree, Progress& progress) {
   check_tree_model(tree);
-  std::vector<OrderedLevel> ordered;
-  for (const TreeLevel& level : tree.levels) ordered.push_back(order_level(level));
-  const std::vector<Section> sections = list_sections(tree, ordered);
+  const std::vector<Section> sections = list_sections(tree);
   progress.begin("Packing", sections.size());
   std::vector<PackedSection> packed(sections.size());
   tbb::parallel_for(std::size_t(0), sections.size(), [&](std::size_t i) {

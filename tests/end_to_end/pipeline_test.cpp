@@ -51,6 +51,12 @@ TEST_F(Pipeline, PhotosBecomeAPackageAndPicturesOfNewViews) {
   const Json info = Json::parse(bosk({"info", "t.bosk", "--json"}).out);
   EXPECT_EQ(info.at("photos"), 6);
   EXPECT_EQ(info.at("name"), "p");
+  std::size_t bytes = 0;
+  for (const auto& level : info.at("levels")) {
+    for (const auto& part : level.at("bytes")) bytes += part.get<std::size_t>();
+  }
+  EXPECT_GT(bytes, 0u);
+  EXPECT_LT(bytes, info.at("bytes").get<std::size_t>());
 }
 
 TEST_F(Pipeline, StrokesOnOnePhotoAreEnough) {

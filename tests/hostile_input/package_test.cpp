@@ -16,11 +16,26 @@
 namespace bosk {
 namespace {
 
-std::string sample_package() {
+std::string package_of(const SampleTreeOptions& options) {
   Progress progress;
-  const auto bytes =
-      package_bytes(sample_tree({.levels = {2, 4}, .texels = 8, .views = 3}), progress);
+  const auto bytes = package_bytes(sample_tree(options), progress);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string sample_package() { return package_of({.levels = {2, 4}, .texels = 8, .views = 3}); }
+
+// Colours that go by their parents', which pays off only where they are alike.
+PackageParts parts_with_parents() {
+  TreeModel tree = sample_tree({.levels = {3, 4}, .views = 1, .alpha_codewords = 5});
+  for (TreeLevel& level : tree.levels) {
+    for (std::size_t i = 0; i < level.cells.size(); ++i) {
+      if (level.alpha_indices[i] == kPruned) continue;
+      level.colour_indices[i] = std::uint16_t((level.cells[i] >> (3 * level.level - 6)) % 40);
+    }
+  }
+  Progress progress;
+  const auto bytes = package_bytes(tree, progress);
+  return take_apart({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 // Whether the reader takes it; anything but a tree or an Error fails the test.
@@ -46,10 +61,11 @@ TEST(HostilePackage, EveryOneOfEightThousandInjuriesIsFound) {
 // well.
 TEST(HostilePackage, FiveThousandInjuriesBehindRightChecksumsDoNoHarm) {
   Random random(2);
-  const PackageParts whole = take_apart(sample_package());
+  const PackageParts whole[] = {take_apart(sample_package()), parts_with_parents()};
+  ASSERT_EQ(raw_bytes(whole[1].parts.back())[0], 1) << "the last section goes by parents";
   int taken = 0;
   for (int i = 0; i < 5000; ++i) {
-    PackageParts apart = whole;
+    PackageParts apart = whole[i % 2];
     PackagePart& part = apart.parts[random.below(apart.parts.size())];
     set_raw_bytes(part, mutated_bytes(random, raw_bytes(part)));
     taken += is_taken(put_together(apart));

@@ -3,12 +3,13 @@
 #include <sys/stat.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <span>
 
-#include "core/package/index_encode.h"
+#include "core/package/index_coding.h"
 #include "core/package/reader.h"
 #include "core/package/writer.h"
 #include "core/package/zstd_encode.h"
@@ -86,25 +87,76 @@ TEST(TreePackage, SameTreeGivesTheSameBytesWithOneThreadAndMany) {
   EXPECT_EQ(package_of(tree), many);
 }
 
+// Low bytes, then high bytes, of what is live, view by view: the best order for zstd alone.
+std::size_t zstd_bytes(const TreeLevel& level, const std::vector<std::uint16_t>& indices) {
+  const IndexShape shape{level.cells.size(), level.views.size(), 1};
+  const auto alpha = view_order(level.alpha_indices, shape), values = view_order(indices, shape);
+  std::vector<std::byte> low, high;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (alpha[i] == kPruned) continue;
+    low.push_back(std::byte(values[i] & 0xff));
+    high.push_back(std::byte(values[i] >> 8));
+  }
+  low.insert(low.end(), high.begin(), high.end());
+  return zstd_compress(low, Progress{}).size();
+}
+
 // On indices that move to look-alikes, as sample_tree's do; 10 % is what a coder of our own must
 // earn.
 TEST(TreePackage, RanksTakeATenthLessThanZstdMakesOfTheIndices) {
   const TreeModel tree =
       sample_tree({.levels = {5}, .views = 24, .alpha_codewords = 256, .colour_codewords = 512});
   const TreeLevel& level = tree.levels[0];
-  const IndexShape shape{level.cells.size(), level.views.size(), 1};
-  Progress progress;
-  const auto alpha = view_order(level.alpha_indices, shape);
-  const auto live = live_blocks(alpha);
-  std::size_t plain = 0;
-  for (const auto& indices : {alpha, view_order(level.colour_indices, shape)}) {
-    plain += zstd_compress(encode_planes(indices, live), progress).size();
-  }
+  const std::size_t plain =
+      zstd_bytes(level, level.alpha_indices) + zstd_bytes(level, level.colour_indices);
   std::size_t ranked = 0;
   for (const PackagePart& part : take_apart(package_of(tree)).parts) {
     if (part.type == kAlphaSection || part.type == kColourSection) ranked += part.bytes.size();
   }
   EXPECT_LT(double(ranked), 0.9 * double(plain));
+}
+
+// Leaves keep their colour from the cell they are a part of; so a single view has something to go
+// by.
+TEST(TreePackage, AColourLikeThatOfTheParentTakesLessThanHalf) {
+  TreeModel tree =
+      sample_tree({.levels = {4, 5}, .views = 1, .alpha_codewords = 16, .colour_codewords = 1024});
+  const auto colour_bytes = [&] {
+    const std::string package = package_of(tree);
+    EXPECT_TRUE(same_tree(read(package), tree));
+    return take_apart(package).parts.back().bytes.size();
+  };
+  const std::size_t unlike = colour_bytes();
+  const TreeLevel& coarse = tree.levels[0];
+  TreeLevel& fine = tree.levels[1];
+  for (std::size_t i = 0; i < fine.cells.size(); ++i) {
+    const auto parent =
+        std::lower_bound(coarse.cells.begin(), coarse.cells.end(), fine.cells[i] >> 3);
+    if (parent == coarse.cells.end() || *parent != fine.cells[i] >> 3) continue;
+    if (fine.alpha_indices[i] == kPruned) continue;
+    fine.colour_indices[i] = coarse.colour_indices[std::size_t(parent - coarse.cells.begin())];
+  }
+  EXPECT_LT(colour_bytes() * 2, unlike);
+}
+
+TEST(TreePackage, ReadsBackALevelOfSeveralChunks) {
+  TreeModel tree = sample_tree({.levels = {5, 6}, .views = 24});
+  ASSERT_GT(tree.levels[1].alpha_indices.size(), kChunkIndices);
+  const std::string package = package_of(tree);
+  for (const unsigned threads : {1u, 3u}) {
+    EXPECT_TRUE(same_tree(read_tree(std::as_bytes(std::span(package)), "", threads), tree));
+  }
+}
+
+TEST(TreePackage, ReadsBackLevelsThatSkipOneOrWhoseParentsAreMissing) {
+  expect_round_trip(sample_tree({.levels = {2, 5}}));
+  TreeModel tree = sample_tree({.levels = {3, 4}});
+  TreeLevel& coarse = tree.levels[0];
+  const std::size_t cells = coarse.cells.size() / 2, indices = cells * coarse.views.size();
+  coarse.cells.resize(cells);
+  coarse.alpha_indices.resize(indices);
+  coarse.colour_indices.resize(indices);
+  expect_round_trip(tree);
 }
 
 TEST(TreePackage, FindsEveryFlippedByte) {
@@ -149,6 +201,12 @@ TEST(TreePackage, ANewerMinorVersionOpens) {
   PackageParts apart = take_apart(package_of(tree));
   apart.minor_version = kMinorVersion + 7;
   EXPECT_TRUE(same_tree(read(put_together(apart)), tree));
+}
+
+TEST(TreePackage, AnOlderMajorVersionIsToldFromDamage) {
+  PackageParts apart = take_apart(package_of(sample_tree({})));
+  apart.major_version = kMajorVersion - 1;
+  EXPECT_THAT(refusal(put_together(apart)), testing::HasSubstr("no longer reads"));
 }
 
 TEST(TreePackage, AnUnknownOptionalSectionIsPassedOverAndAnUnknownRequiredOneRefused) {
