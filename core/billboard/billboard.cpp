@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/billboard/bake.h"
+#include "core/billboard/coarser.h"
 #include "core/billboard/morton.h"
 #include "core/billboard/view_choice.h"
 #include "core/billboard/visibility.h"
@@ -88,6 +89,39 @@ RadianceVolume without_hidden(const RadianceVolume& volume, const std::vector<gl
   return subset(volume, kept);
 }
 
+std::vector<std::uint32_t> all_of(const std::vector<glm::dvec3>& views) {
+  std::vector<std::uint32_t> all(views.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+// Textures towards all views.
+BillboardLevel cubes_of(const RadianceVolume& volume, const VolumeSampler& sampler, int number,
+                        const std::vector<glm::dvec3>& views, const BillboardOptions& options,
+                        Progress& progress) {
+  BillboardLevel level;
+  level.level = number;
+  level.texels = options.texels <= 4 ? 4 : 8;
+  level.side_factor = kCubeSide;
+  level.views = all_of(views);
+  level.cells = parents(volume.grid, number);
+  std::optional<ProgressPart> part(std::in_place, progress, 0.0, kBakingShare);
+  bake_cubes(volume, sampler, views, level, progress);
+  part.emplace(progress, kBakingShare, 1.0);
+  prune_views(volume, views, options.prune, level, progress);
+  return level;
+}
+
+// One kernel a cell; towards all views only where colour depends on the view.
+BillboardLevel kernels_of(const RadianceVolume& volume, const std::vector<glm::dvec3>& views,
+                          Progress& progress) {
+  BillboardLevel level;
+  level.level = volume.grid.level();
+  level.views = volume.degree == 0 ? std::vector<std::uint32_t>{0} : all_of(views);
+  bake_kernels(volume, views, level, progress);
+  return level;
+}
+
 }  // namespace
 
 Options describe(BillboardOptions& options) {
@@ -107,6 +141,13 @@ Options describe(BillboardOptions& options) {
        4,
        8,
        {}},
+      {"kernel_levels",
+       "",
+       "finest levels drawn as one soft kernel a cell, the same from all sides",
+       &options.kernel_levels,
+       1,
+       6,
+       {}},
       {"prune",
        "",
        "a billboard is dropped when less than this share of light shows it",
@@ -124,37 +165,31 @@ Billboards bake_billboards(const RadianceVolume& volume, const std::vector<Camer
   }
   Billboards result{volume.origin, volume.size_m, {}, {}};
   result.view_positions = hemisphere_views(cameras, crown_of(volume), options.views);
-  std::vector<std::uint32_t> all_views(result.view_positions.size());
-  std::iota(all_views.begin(), all_views.end(), 0u);
 
-  const int coarsest = std::min(options.coarsest_level, volume.grid.level());
-  const double level_share =
-      1.0 / (volume.grid.level() - coarsest + 2);  // hidden cells count as one
+  const int finest = volume.grid.level();
+  const int coarsest = std::min(options.coarsest_level, finest);
+  const int first_kernels = std::max(coarsest, finest + 1 - options.kernel_levels);
+  const double level_share = 1.0 / (finest - coarsest + 2);  // hidden cells count as one
   std::optional<ProgressPart> part(std::in_place, progress, 0.0, level_share);
   const RadianceVolume visible =
       without_hidden(volume, result.view_positions, options.prune, progress);
+  const auto begin_level = [&](int level) {
+    const double start = level_share * (level - coarsest + 1);
+    part.emplace(progress, start, start + level_share);
+  };
   const VolumeSampler sampler(visible);
-  const int finest = visible.grid.level();
-  for (int at = coarsest; at < finest; ++at) {
-    const double start = level_share * (at - coarsest + 1);
-    BillboardLevel level;
-    level.level = at;
-    level.texels = options.texels <= 4 ? 4 : 8;
-    level.side_factor = kCubeSide;
-    level.views = all_views;
-    level.cells = parents(visible.grid, at);
-    part.emplace(progress, start, start + kBakingShare * level_share);
-    bake_cubes(visible, sampler, result.view_positions, level, progress);
-    part.emplace(progress, start + kBakingShare * level_share, start + level_share);
-    prune_views(visible, result.view_positions, options.prune, level, progress);
-    result.levels.push_back(std::move(level));
+  for (int level = coarsest; level < first_kernels; ++level) {
+    begin_level(level);
+    result.levels.push_back(
+        cubes_of(visible, sampler, level, result.view_positions, options, progress));
   }
-  BillboardLevel level;
-  level.level = finest;
-  level.views = visible.degree == 0 ? std::vector<std::uint32_t>{0} : all_views;
-  part.emplace(progress, 1.0 - level_share, 1.0);
-  bake_kernels(visible, result.view_positions, level, progress);
-  result.levels.push_back(std::move(level));
+  std::vector<RadianceVolume> volumes(1, visible);  // fine to coarse
+  while (volumes.back().grid.level() > first_kernels)
+    volumes.push_back(coarser_volume(volumes.back()));
+  for (; !volumes.empty(); volumes.pop_back()) {
+    begin_level(volumes.back().grid.level());
+    result.levels.push_back(kernels_of(volumes.back(), result.view_positions, progress));
+  }
   return result;
 }
 

@@ -16,6 +16,7 @@ struct BillboardOptions {
   int coarsest_level = 4;  // octree level of the coarsest billboards
   int views = 12;          // directions that coarse levels have textures for
   int texels = 4;          // M: texels along the edge of a coarse billboard, 4 or 8
+  int kernel_levels = 2;   // finest levels drawn as one soft kernel a cell, the same from all sides
   double prune = 0.01;     // a billboard is dropped when less than this share of light shows it
 };
 Options describe(BillboardOptions& options);

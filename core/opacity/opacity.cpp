@@ -16,9 +16,10 @@ namespace {
 
 constexpr float kSilhouetteAlpha = 0.0f;  // any opacity keeps a cell in the hull
 constexpr int kCoarsestLevel = 5;
-constexpr int kFinestLevel = 9;          // 512 cells a side
-constexpr double kCellPx = 5.0;          // a cell's size in the photos, chosen when not given
-constexpr double kRaysAcrossCell = 2.5;  // pixels averaged so that about this many cross a cell
+constexpr int kFinestLevel = 9;   // 512 cells a side
+constexpr int kFinestChosen = 8;  // unless asked for: leaves one level to radiance
+constexpr double kRaysAcrossCell =
+    1.25;  // pixels averaged so that about this many cross a cell: more gave no better start
 constexpr double kCrownShare = 0.05, kCastingShare = 0.4;  // of the time, for the progress
 constexpr float kFirstExtinction = 0.15f;  // of the coarsest level's cells, per cell edge
 
@@ -50,9 +51,20 @@ double pixels_per_metre(const Photos& photos, const Cube& crown) {
   return sizes[sizes.size() / 2];
 }
 
-int level_from_footprint(double crown_px) {
-  const int level = int(std::lround(std::log2(crown_px / kCellPx)));
-  return std::clamp(level, kCoarsestLevel, kFinestLevel);
+// The cube around the tree and its finest level: as many levels as cells of `cell_px` ask for, and
+// the cube grown about its centre until the finest have just that size. Cells outside the tree cost
+// nothing, so the growth is free.
+struct Frame {
+  Cube cube;
+  int finest = kCoarsestLevel;
+};
+
+Frame frame_of(const Cube& crown, double crown_px, const OpacityOptions& options) {
+  if (options.finest_level > 0) return {crown, options.finest_level};
+  const double cells = crown_px / options.cell_px;
+  const int finest = std::clamp(int(std::ceil(std::log2(cells))), kCoarsestLevel, kFinestChosen);
+  const double growth = std::clamp(double(1 << finest) / cells, 1.0, 2.0);
+  return {{crown.origin - 0.5 * (growth - 1.0) * crown.size_m, growth * crown.size_m}, finest};
 }
 
 int pixel_step(double cell_px) { return std::max(1, int(std::floor(cell_px / kRaysAcrossCell))); }
@@ -80,10 +92,17 @@ Options describe(OpacityOptions& options) {
   return {
       {"finest_level",
        "",
-       "octree level of the finest cells, 2^level a side; 0 chooses it from the photos' pixels",
+       "octree level of the finest cells, 2^level a side; 0 chooses it by cell_px",
        &options.finest_level,
        0,
        kFinestLevel,
+       {}},
+      {"cell_px",
+       "px",
+       "size of the finest cells in the photos; smaller is sharper, slower and bigger",
+       &options.cell_px,
+       1.0,
+       100.0,
        {}},
       {"passes",
        "",
@@ -107,10 +126,10 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
                              const OpacityWatcher& watcher) {
   const std::vector<Silhouette> silhouettes = silhouettes_of(photos, mattes);
   std::optional<ProgressPart> part(std::in_place, progress, 0.0, kCrownShare);
-  const Cube crown = find_crown(silhouettes, progress);
-  const double crown_px = crown.size_m * pixels_per_metre(photos, crown);
-  const int finest =
-      options.finest_level > 0 ? options.finest_level : level_from_footprint(crown_px);
+  const Cube box = find_crown(silhouettes, progress);
+  const double px_per_metre = pixels_per_metre(photos, box);
+  const auto [crown, finest] = frame_of(box, box.size_m * px_per_metre, options);
+  const double crown_px = crown.size_m * px_per_metre;
 
   OpacityTree tree;
   int iteration = 0;

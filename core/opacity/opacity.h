@@ -14,7 +14,8 @@
 namespace bosk {
 
 struct OpacityOptions {
-  int finest_level = 0;  // 0: chosen from the photos' pixel footprint; else 4 to 9
+  int finest_level = 0;  // 4 to 9; 0: chosen by cell_px
+  double cell_px = 3.6;  // size of the finest cells in the photos, the median photo at the crown
   int passes = 1;        // of the solver over all rays at the finest level
   int subsets = 8;       // interleaved pixels per pass
 };

@@ -59,7 +59,7 @@ struct SampleSpan {
 // All rays that can meet the volume, walked once: which samples of each ray have any support. Rays
 // stand in tiles of kTilePx x kTilePx pixels, photo by photo: neighbours meet the same cells, so a
 // tile's later rays find them in the processor's caches.
-inline constexpr int kTilePx = 4;
+inline constexpr int kTilePx = 8;
 struct RayCache {
   std::vector<CachedRay> rays;
   std::vector<SampleSpan> spans;
@@ -100,8 +100,8 @@ inline void trilinear_weights(const glm::vec3& fraction, float (&weights)[8]) {
 // Calls visit(support number, fraction within the base cell) for the ray's samples, front to back,
 // until visit returns false.
 template <class Visit>
-inline void for_each_sample(const RayCache& cache, const CachedRay& ray,
-                            const TrilinearSupport& support, Visit&& visit) {
+[[gnu::always_inline]] inline void for_each_sample(const RayCache& cache, const CachedRay& ray,
+                                                   const TrilinearSupport& support, Visit&& visit) {
   const glm::vec3 origin = cache.origins[ray.photo];
   for (std::uint32_t i = 0; i < ray.span_count; ++i) {
     const SampleSpan span = cache.spans[ray.first_span + i];

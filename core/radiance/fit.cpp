@@ -10,28 +10,17 @@
 #include <numbers>
 
 #include "core/base/lanes.h"
-#include "core/radiance/harmonics.h"
+#include "core/radiance/ray_kernel.h"
 
 namespace bosk {
 namespace {
 
 constexpr float kMaxExtinction = 20.0f;
 constexpr float kOpaque = 2e-3f;  // a ray ends when less light than this is left
-constexpr float kMomentum = 0.9f, kVariance = 0.99f, kTiny = 1e-12f;  // Adam
+constexpr float kMomentum = 0.9f, kVariance = 0.99f;  // Adam
+constexpr float kTiny = 1e-6f;  // and the derivative below which it is rounding, not slope
 constexpr float kFlat = 0.05f;  // differences below this are smoothed as squares
 constexpr float kLastRate = 0.05f;
-
-using Row = float __attribute__((vector_size(16)));
-
-// One cell while it is fitted: row 0 holds the mean colour and the extinction, row j the j-th
-// coefficient's colour.
-template <int N>
-struct Node {
-  Row rows[N];
-};
-
-template <int N>
-using Nodes = std::vector<Node<N>>;
 
 template <int N>
 Nodes<N> nodes_of(const RadianceVolume& volume) {
@@ -56,99 +45,6 @@ void store(const Nodes<N>& nodes, RadianceVolume& volume) {
     volume.extinction[i] = nodes[i].rows[0][3];
   }
 }
-
-// What the ray met, front to back.
-struct Sample {
-  std::int32_t support;
-  float extinction;
-  float kept;    // 1 - opacity of the sample
-  float before;  // light left when the ray reaches it
-  Row colour;
-  float weights[8];
-};
-
-struct Composite {
-  Row colour{};       // premultiplied, lane 3 unused
-  float left = 1.0f;  // light left behind the last sample
-};
-
-template <int N>
-Row view_colour(const Row (&rows)[N], const std::array<float, kMaxCoefficients>& basis) {
-  Row colour = rows[0];
-  for (std::size_t j = 1; j < N; ++j) colour += rows[j] * basis[j];
-  return colour;
-}
-
-float dot3(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-template <int N>
-Composite march(const RayCache& cache, const CachedRay& ray, const TrilinearSupport& support,
-                const Nodes<N>& nodes, const std::array<float, kMaxCoefficients>& basis,
-                std::vector<Sample>& samples) {
-  samples.clear();
-  Composite sum;
-  for_each_sample(cache, ray, support, [&](std::int32_t number, const glm::vec3& fraction) {
-    Sample sample;
-    sample.support = number;
-    trilinear_weights(fraction, sample.weights);
-    const auto& corners = support.corners(number);
-    Row rows[N] = {};
-    float extinction = kTiny;
-    for (int i = 0; i < 8; ++i) {
-      const Node<N>& node = nodes[std::size_t(corners.number[i])];
-      const float part = sample.weights[i] * node.rows[0][3];
-      extinction += part;
-      for (int j = 0; j < N; ++j) rows[j] += part * node.rows[j];
-    }
-    sample.extinction = extinction;
-    sample.colour = view_colour<N>(rows, basis) / extinction;
-    sample.kept = std::exp(-extinction);
-    sample.before = sum.left;
-    sum.colour += sample.colour * (sum.left * (1.0f - sample.kept));
-    sum.left *= sample.kept;
-    samples.push_back(sample);
-    return sum.left > kOpaque;
-  });
-  return sum;
-}
-
-// Adds the loss's derivatives by each corner's values to `gradient`.
-template <int N>
-void back_propagate(const TrilinearSupport& support, const std::vector<Sample>& samples,
-                    const Composite& sum, const Row& error, const Nodes<N>& nodes,
-                    const std::array<float, kMaxCoefficients>& basis, Nodes<N>& gradient) {
-  Row behind{};  // colour that the samples further back add
-  for (std::size_t k = samples.size(); k-- > 0;) {
-    const Sample& sample = samples[k];
-    const float share = sample.before * (1.0f - sample.kept);
-    const float by_depth =
-        dot3(error, sample.colour * (sample.before * sample.kept) - behind) + error[3] * sum.left;
-    const Row by_colour = error * (share / sample.extinction);
-    const auto& corners = support.corners(sample.support);
-    for (int i = 0; i < 8; ++i) {
-      const auto corner = std::size_t(corners.number[i]);
-      const Node<N>& node = nodes[corner];
-      const Row difference = view_colour<N>(node.rows, basis) - sample.colour;
-      Node<N>& target = gradient[corner];
-      Row change = by_colour * (sample.weights[i] * node.rows[0][3]);
-      for (std::size_t j = 1; j < N; ++j) {
-        change[3] = 0.0f;
-        target.rows[j] += change * basis[j];
-      }
-      change[3] = sample.weights[i] * (by_depth + dot3(by_colour, difference));
-      target.rows[0] += change;
-    }
-    behind += sample.colour * share;
-  }
-}
-
-template <int N>
-struct Lane {
-  Nodes<N> gradient;
-  std::vector<Sample> samples;
-  double squared_error = 0.0;
-  std::size_t rays = 0;
-};
 
 // Numbers of the cells next to each cell towards +x, -x, +y, ...; absent ones name the cell itself.
 using Neighbours = std::array<std::int32_t, 6>;
@@ -195,7 +91,7 @@ struct Adam {
   }
   Nodes<N> before;
 
-  void step(std::array<Lane<N>, kLanes>& lanes, const FitSchedule& schedule, float rate) {
+  void step(std::array<FitLane<N>, kLanes>& lanes, const FitSchedule& schedule, float rate) {
     ++steps;
     const bool smooth = smooth_colour > 0.0f || smooth_extinction > 0.0f;
     if (smooth) before = nodes;
@@ -205,7 +101,7 @@ struct Adam {
                       [&](const auto& range) {
                         for (std::size_t i = range.begin(); i != range.end(); ++i) {
                           Node<N> gradient{};
-                          for (Lane<N>& lane : lanes) {
+                          for (FitLane<N>& lane : lanes) {
                             for (int j = 0; j < N; ++j)
                               gradient.rows[j] += lane.gradient[i].rows[j];
                             lane.gradient[i] = {};
@@ -215,7 +111,7 @@ struct Adam {
                         }
                       });
     nodes.back() = {};
-    for (Lane<N>& lane : lanes) lane.gradient.back() = {};
+    for (FitLane<N>& lane : lanes) lane.gradient.back() = {};
   }
 
   void move(std::size_t i, const Node<N>& gradient, const FitSchedule& schedule, float rate,
@@ -239,18 +135,6 @@ struct Adam {
   }
 };
 
-template <int N>
-void fit_ray(const RayCache& cache, const CachedRay& ray, const TrilinearSupport& support,
-             const Nodes<N>& nodes, Lane<N>& lane) {
-  const auto basis = harmonics(ray.direction);
-  const Composite sum = march<N>(cache, ray, support, nodes, basis, lane.samples);
-  Row error = sum.colour - Row{ray.target.r, ray.target.g, ray.target.b, 0.0f};
-  error[3] = 1.0f - sum.left - ray.target.a;
-  for (int c = 0; c < 4; ++c) lane.squared_error += double(error[c]) * double(error[c]);
-  ++lane.rays;
-  back_propagate<N>(support, lane.samples, sum, error, nodes, basis, lane.gradient);
-}
-
 // Step size relative to the first, from 1 down to kLastRate along half a cosine: large steps find
 // the tree, small ones settle the noise that the subsets leave.
 float rate_of(double done) {
@@ -265,8 +149,8 @@ void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& 
   const double per_step = double(cache.rays.size()) / double(volume.grid.size()) / schedule.subsets;
   adam.smooth_colour = float(schedule.colour_variation * per_step);
   adam.smooth_extinction = float(schedule.extinction_variation * per_step);
-  std::array<Lane<N>, kLanes> lanes;
-  for (Lane<N>& lane : lanes) lane.gradient.resize(adam.nodes.size());
+  std::array<FitLane<N>, kLanes> lanes;
+  for (FitLane<N>& lane : lanes) lane.gradient.resize(adam.nodes.size());
   const auto subsets = std::size_t(schedule.subsets);
   for (int epoch = 0; epoch < schedule.epochs; ++epoch) {
     progress.begin("Fitting colour and opacity", cache.tiles(), double(epoch) / schedule.epochs,
@@ -276,19 +160,17 @@ void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& 
       const std::size_t first = tiles.size() * subset / subsets;
       const std::size_t last = tiles.size() * (subset + 1) / subsets;
       for_each_lane(last - first, [&](std::size_t number, std::size_t begin, std::size_t end) {
-        Lane<N>& lane = lanes[number];
+        FitLane<N>& lane = lanes[number];
         for (std::size_t i = first + begin; i < first + end; ++i) {
           if (i % 64 == 0) progress.advance(64);
-          for (const CachedRay& ray : cache.tile(tiles[i])) {
-            fit_ray<N>(cache, ray, support, adam.nodes, lane);
-          }
+          fit_tile<N>(cache, cache.tile(tiles[i]), support, adam.nodes, lane);
         }
       });
       adam.step(lanes, schedule,
                 rate_of((epoch + double(subset) / schedule.subsets) / schedule.epochs));
     }
     double squared = 0.0, count = 0.0;
-    for (Lane<N>& lane : lanes) {
+    for (FitLane<N>& lane : lanes) {
       squared += lane.squared_error, count += double(lane.rays);
       lane.squared_error = 0.0, lane.rays = 0;
     }

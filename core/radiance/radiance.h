@@ -14,16 +14,16 @@
 namespace bosk {
 
 struct RadianceOptions {
-  int degree = 0;                 // of the spherical harmonics of colour: 0, 1 or 2
-  int finer_levels = 1;           // octree levels below opacity's finest
-  int epochs = 2;                 // passes over all pixels at the finest level
-  int last_epochs = 1;            // and after faint cells are dropped
-  int coarse_epochs = 2;          // passes at each coarser level, over averaged pixels
-  int subsets = 24;               // updates per pass
-  double extinction_rate = 0.1;   // first step of an update, relative to clamp(extinction, 0.3, 3)
-  double colour_rate = 0.06;      // first step of an update of colour
-  double colour_variation = 0.1;  // weight of the total variation of colour, per ray
-  double extinction_variation = 0.01;  // and of extinction
+  int degree = 0;                  // of the spherical harmonics of colour: 0, 1 or 2
+  int finer_levels = 1;            // octree levels below opacity's finest
+  int epochs = 2;                  // passes over all pixels at the finest level
+  int last_epochs = 1;             // and after faint cells are dropped
+  int coarse_epochs = 2;           // passes at each coarser level, over averaged pixels
+  int subsets = 48;                // updates per pass
+  double extinction_rate = 0.1;    // first step of an update, relative to clamp(extinction, 0.3, 3)
+  double colour_rate = 0.06;       // first step of an update of colour
+  double colour_variation = 0.05;  // weight of the total variation of colour, per ray
+  double extinction_variation = 0.003;  // and of extinction
   double faintest = 0.02;  // extinction per cell edge below which a finished cell is dropped
 };
 Options describe(RadianceOptions& options);

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/billboard/bake.h"
+#include "core/billboard/coarser.h"
 #include "core/billboard/morton.h"
 #include "core/billboard/view_choice.h"
 #include "core/billboard/visibility.h"
@@ -159,8 +160,8 @@ TEST(BakeBillboards, MakesLevelsFromCoarsestToFinest) {
   for (std::size_t i = 0; i < 3; ++i) {
     const BillboardLevel& level = billboards.levels[i];
     EXPECT_EQ(level.level, 2 + int(i));
-    EXPECT_EQ(level.views.size(), i < 2 ? 5u : 1u);  // one view serves all at the finest
-    EXPECT_EQ(level.texels, i < 2 ? 8 : 4);
+    EXPECT_EQ(level.views.size(), i < 1 ? 5u : 1u);  // one view serves all at the finest two
+    EXPECT_EQ(level.texels, i < 1 ? 8 : 4);
     EXPECT_TRUE(std::is_sorted(level.cells.begin(), level.cells.end()));
     EXPECT_EQ(level.texture.size(), level.cells.size() * level.views.size() * level.texture_size());
   }
@@ -191,9 +192,31 @@ TEST(BakeBillboards, ClearsViewsThatTheCrownHides) {
   all.prune = 0.0;
   pruned.prune = 0.01;
   const RadianceVolume dense = solid(4, 2, 14, 1.5f), airy = solid(4, 2, 14, 0.05f);
+  all.kernel_levels = pruned.kernel_levels = 1;
   all.coarsest_level = pruned.coarsest_level = 3;
   EXPECT_LT(shown(baked(dense, pruned)), shown(baked(dense, all)));
   EXPECT_EQ(shown(baked(airy, pruned)), shown(baked(airy, all)));
+}
+
+TEST(CoarserVolume, LetsAsMuchLightThroughAsItsChildren) {
+  // A full block: two layers of 0.4. One child alone: a quarter of the columns along each axis
+  EXPECT_NEAR(coarser_volume(solid(3, 2, 4, 0.4f)).extinction.at(0), 0.8f, 1e-5f);
+  const RadianceVolume corner = coarser_volume(solid(3, 2, 3, 2.0f));
+  ASSERT_EQ(corner.grid.size(), 1u);
+  EXPECT_NEAR(std::exp(-corner.extinction[0]), 0.75f + 0.25f * std::exp(-2.0f), 1e-5f);
+}
+
+TEST(CoarserVolume, WeighsColoursByExtinction) {
+  RadianceVolume volume = solid(3, 2, 4, 0.0f);
+  volume.extinction[0] = 3.0f, volume.extinction[7] = 1.0f;
+  for (std::size_t k = 0; k < 3; ++k) volume.colour[k] = 1.0f, volume.colour[21 + k] = 0.2f;
+  EXPECT_NEAR(coarser_volume(volume).colour[0], (3.0f * 1.0f + 1.0f * 0.2f) / 4.0f, 1e-5f);
+}
+
+TEST(CoarserVolume, KeepsAnOpaqueBlockFinite) {
+  const RadianceVolume coarser = coarser_volume(solid(3, 2, 4, 20.0f));
+  EXPECT_TRUE(std::isfinite(coarser.extinction[0]));
+  EXPECT_GT(coarser.extinction[0], 15.0f);
 }
 
 TEST(BakeBillboards, DropsFinestCellsHiddenFromEverywhere) {
