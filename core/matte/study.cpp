@@ -14,6 +14,7 @@ constexpr float kOutlineSigma = 0.012f;  // image diagonals
 constexpr float kSamplePurity =
     4.0f;  // while the region settles, haze does more harm than hard edges
 constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less of places
+constexpr float kSurelyClear = 0.01f;      // mean alpha of the surroundings
 constexpr double kEnoughBackground = 0.1;  // share of a photo that shows its background's colours
 
 Image<std::uint8_t> every_nth(const Image<std::uint8_t>& full, int step) {
@@ -31,7 +32,7 @@ LabPlanes sampled(const Photo& photo, const Study& study, Progress& progress) {
 
 Image<float> place_tilt(const Study& study, const MatteOptions& options) {
   const float trust = study.strokes.empty() ? kTransferredPlace : 1.0f;
-  return position_tilt(study.lesson.teacher->model, trust * float(options.position_weight));
+  return position_tilt(study.lesson.teacher->strokes, trust * float(options.position_weight));
 }
 
 Image<float> whole_tilt(const Study& study, const MatteOptions& options) {
@@ -52,24 +53,34 @@ void settle_region(const LabPlanes& sample, const MatteOptions& options, Study& 
   }
 }
 
-// Background strokes wherever the other photos rule the tree out.
-Image<std::uint8_t> ruled_out(const LabPlanes& sample, const Image<float>& hull_tilt) {
+// Background strokes wherever the surroundings or the other photos leave no doubt, beside those
+// drawn.
+Image<std::uint8_t> sure_background(const LabPlanes& sample, const Image<float>& hull_tilt,
+                                    const Study& study) {
   const int width = sample.l.width(), height = sample.l.height();
-  const float surely =
+  const float ruled_out =
       0.9f * *std::min_element(hull_tilt.pixels().begin(), hull_tilt.pixels().end());
-  Image<std::uint8_t> strokes(width, height, kNoStroke);
+  Image<std::uint8_t> strokes = study.strokes;
+  if (strokes.empty()) strokes = Image<std::uint8_t>(width, height, kNoStroke);
+  const auto value = [&](const Image<float>& grid, int x, int y) {
+    return grid(x * grid.width() / width, y * grid.height() / height);
+  };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const float tilt = hull_tilt(x * hull_tilt.width() / width, y * hull_tilt.height() / height);
-      if (tilt < 0.0f && tilt <= surely) strokes(x, y) = kBackgroundStroke;
+      const float hull = value(hull_tilt, x, y);
+      const bool clear =
+          value(study.mean_alpha, x, y) < kSurelyClear || (hull < 0.0f && hull <= ruled_out);
+      if (clear && strokes(x, y) == kNoStroke) strokes(x, y) = kBackgroundStroke;
     }
   }
   return strokes;
 }
 
+// Strokes show a few of a background's colours; where the tree surely isn't, the photo shows the
+// others.
 void learn_own_background(const LabPlanes& sample, const Image<float>& hull_tilt,
                           const MatteOptions& options, Study& study) {
-  const Image<std::uint8_t> strokes = ruled_out(sample, hull_tilt);
+  const Image<std::uint8_t> strokes = sure_background(sample, hull_tilt, study);
   const auto count =
       std::count(strokes.pixels().begin(), strokes.pixels().end(), kBackgroundStroke);
   if (double(count) < kEnoughBackground * double(strokes.size())) return;
@@ -94,11 +105,21 @@ Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
   return study;
 }
 
+void complete(Teacher& teacher, const Image<std::uint8_t>& strokes, const MatteOptions& options,
+              Progress& progress) {
+  const std::vector<Teacher> alone{teacher};
+  Study study = study_photo(*teacher.photo, strokes, alone, options, progress);
+  learn_own_background(sampled(*teacher.photo, study, progress), Image<float>(1, 1), options,
+                       study);
+  teacher.model = study.model;
+  teacher.likelihood = own_likelihood(teacher, options, progress);
+}
+
 void study_again(const Photo& photo, const Image<float>& hull_tilt, const MatteOptions& options,
                  Study& study, Progress& progress) {
   const LabPlanes sample = sampled(photo, study, progress);
   study.place_tilt = sum_of_grids(place_tilt(study, options), hull_tilt);
-  if (study.strokes.empty()) learn_own_background(sample, hull_tilt, options, study);
+  learn_own_background(sample, hull_tilt, options, study);
   settle_region(sample, options, study, progress);
 }
 

@@ -17,6 +17,12 @@ struct Study {
   Image<float> outline;     // coarse: of the near surroundings
 };
 
+// Adds to the teacher's model what the photo shows of the background where the tree surely isn't:
+// strokes show only some of its colours, and other photos show the others too. `strokes` are the
+// teacher's own.
+void complete(Teacher& teacher, const Image<std::uint8_t>& strokes, const MatteOptions& options,
+              Progress& progress);
+
 // Finds the teacher, the gain and, in a few rounds, the region that the tree fills. `strokes` is
 // empty for a photo without strokes.
 Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
