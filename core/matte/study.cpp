@@ -15,6 +15,7 @@ constexpr float kSamplePurity =
     4.0f;  // while the region settles, haze does more harm than hard edges
 constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less of places
 constexpr float kSurelyClear = 0.01f;      // mean alpha of the surroundings
+constexpr float kMaybeClear = 0.4f;        // alpha itself: a lone stem is opaque amid the clear
 constexpr double kEnoughBackground = 0.1;  // share of a photo that shows its background's colours
 
 Image<std::uint8_t> every_nth(const Image<std::uint8_t>& full, int step) {
@@ -46,9 +47,9 @@ void settle_region(const LabPlanes& sample, const MatteOptions& options, Study& 
   settings.purity = kSamplePurity;
   Image<float> tilt = study.place_tilt;
   for (int round = 0; round < kRounds; ++round) {
-    const AlphaEstimate estimate = estimate_alpha(sample, study.model, tilt, settings, progress);
-    study.mean_alpha = mean_alpha(estimate.alpha, study.strokes, float(options.region_sigma));
-    study.outline = mean_alpha(estimate.alpha, study.strokes, kOutlineSigma);
+    study.alpha = estimate_alpha(sample, study.model, tilt, settings, progress).alpha;
+    study.mean_alpha = mean_alpha(study.alpha, study.strokes, float(options.region_sigma));
+    study.outline = mean_alpha(study.alpha, study.strokes, kOutlineSigma);
     tilt = whole_tilt(study, options);
   }
 }
@@ -69,7 +70,8 @@ Image<std::uint8_t> sure_background(const LabPlanes& sample, const Image<float>&
     for (int x = 0; x < width; ++x) {
       const float hull = value(hull_tilt, x, y);
       const bool clear =
-          value(study.mean_alpha, x, y) < kSurelyClear || (hull < 0.0f && hull <= ruled_out);
+          (value(study.mean_alpha, x, y) < kSurelyClear && study.alpha(x, y) < kMaybeClear) ||
+          (hull < 0.0f && hull <= ruled_out);
       if (clear && strokes(x, y) == kNoStroke) strokes(x, y) = kBackgroundStroke;
     }
   }

@@ -15,6 +15,7 @@ struct Study {
   Image<float> place_tilt;  // coarse: what is believed of each place before any colour is looked at
   Image<float> mean_alpha;  // coarse: of the surroundings
   Image<float> outline;     // coarse: of the near surroundings
+  Image<float> alpha;       // of the sample
 };
 
 // Adds to the teacher's model what the photo shows of the background where the tree surely isn't:
