@@ -7,6 +7,10 @@
 namespace bosk {
 namespace {
 
+// Where the surroundings are clear, a pixel this much covered is doubted as much as an opaque one:
+// a stem is opaque, not a half-covered bright leaf.
+constexpr float kFullDoubt = 0.5f;
+
 // Nearest point so far on a path, for each pixel of a run.
 struct Nearest {
   float residual[kRun];  // squared distance in CIELab
@@ -49,7 +53,8 @@ struct Nearest {
     const float alpha = nearest.alpha[i];
     exponent[i] = front[i] + back[i] - log0 -
                   0.5f * nearest.residual[i] / (variance0 + alpha * variance_step) +
-                  alpha * (tilt[i] - log_step);
+                  std::min(tilt[i] < 0.0f ? alpha / kFullDoubt : alpha, 1.0f) * tilt[i] -
+                  alpha * log_step;
     greatest[i] = exponent[i] > greatest[i] ? exponent[i] : greatest[i];
   }
 }

@@ -16,6 +16,7 @@ constexpr float kSamplePurity =
 constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less of places
 constexpr float kSurelyClear = 0.01f;      // mean alpha of the surroundings
 constexpr float kMaybeClear = 0.4f;        // alpha itself: a lone stem is opaque amid the clear
+constexpr float kMuchNearer = 4.0f;        // squared, in Lab: a tree colour, not one between
 constexpr double kEnoughBackground = 0.1;  // share of a photo that shows its background's colours
 
 Image<std::uint8_t> every_nth(const Image<std::uint8_t>& full, int step) {
@@ -54,6 +55,15 @@ void settle_region(const LabPlanes& sample, const MatteOptions& options, Study& 
   }
 }
 
+float squared_to_nearest(const std::vector<StrokeCluster>& clusters, const glm::vec3& lab) {
+  float least = 1e12f;
+  for (const StrokeCluster& cluster : clusters) {
+    const glm::vec3 offset = lab - cluster.colour.lab;
+    least = std::min(least, glm::dot(offset, offset));
+  }
+  return least;
+}
+
 // Background strokes wherever the surroundings or the other photos leave no doubt, beside those
 // drawn.
 Image<std::uint8_t> sure_background(const LabPlanes& sample, const Image<float>& hull_tilt,
@@ -66,12 +76,18 @@ Image<std::uint8_t> sure_background(const LabPlanes& sample, const Image<float>&
   const auto value = [&](const Image<float>& grid, int x, int y) {
     return grid(x * grid.width() / width, y * grid.height() / height);
   };
+  const auto like_the_tree = [&](int x, int y) {
+    const glm::vec3 lab(sample.l(x, y), sample.a(x, y), sample.b(x, y));
+    const StrokeModel& drawn = study.lesson.teacher->strokes;
+    return kMuchNearer * squared_to_nearest(drawn.foreground, lab) <
+           squared_to_nearest(drawn.background, lab);
+  };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const float hull = value(hull_tilt, x, y);
-      const bool clear =
-          (value(study.mean_alpha, x, y) < kSurelyClear && study.alpha(x, y) < kMaybeClear) ||
-          (hull < 0.0f && hull <= ruled_out);
+      const bool clear = (value(study.mean_alpha, x, y) < kSurelyClear &&
+                          study.alpha(x, y) < kMaybeClear && !like_the_tree(x, y)) ||
+                         (hull < 0.0f && hull <= ruled_out);
       if (clear && strokes(x, y) == kNoStroke) strokes(x, y) = kBackgroundStroke;
     }
   }
