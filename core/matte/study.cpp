@@ -17,6 +17,8 @@ constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less 
 constexpr float kSurelyClear = 0.01f;      // mean alpha of the surroundings
 constexpr float kMaybeClear = 0.4f;        // alpha itself: a lone stem is opaque amid the clear
 constexpr float kMuchNearer = 4.0f;        // squared, in Lab: a tree colour, not one between
+constexpr float kRareColour =
+    0.02f;  // share; rarer colours nearer to the tree's are overlooked stems
 constexpr double kEnoughBackground = 0.1;  // share of a photo that shows its background's colours
 
 Image<std::uint8_t> every_nth(const Image<std::uint8_t>& full, int step) {
@@ -103,6 +105,13 @@ void learn_own_background(const LabPlanes& sample, const Image<float>& hull_tilt
       std::count(strokes.pixels().begin(), strokes.pixels().end(), kBackgroundStroke);
   if (double(count) < kEnoughBackground * double(strokes.size())) return;
   study.model.background = learn_clusters(sample, strokes, kBackgroundStroke, options.clusters);
+  const StrokeModel& drawn = study.lesson.teacher->strokes;
+  std::erase_if(study.model.background, [&](const StrokeCluster& cluster) {
+    const glm::vec3& lab = cluster.colour.lab;
+    return cluster.colour.share < kRareColour &&
+           squared_to_nearest(drawn.foreground, lab) < squared_to_nearest(drawn.background, lab);
+  });
+  if (study.model.background.empty()) study.model.background = drawn.background;
   const Image<float>& like = study.model.foreground.front().squared_distance;
   for (StrokeCluster& cluster : study.model.background) {
     cluster.squared_distance = stretched(cluster.squared_distance, like.width(), like.height());
