@@ -110,9 +110,11 @@ void compare_photos(const Photos& photos, const MatteOptions& options, std::vect
                     Progress& progress) {
   std::vector<Image<float>> outlines;
   for (const Study& study : studies) outlines.push_back(study.outline);
-  const auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
-  for (std::size_t i = 0; i < tilts.size(); ++i)
+  auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
+  tilts.resize(photos.size(), Image<float>(1, 1));
+  for (std::size_t i = 0; i < photos.size(); ++i) {
     study_again(photos[i], tilts[i], options, studies[i], progress);
+  }
 }
 
 void require_pixels(const Photos& photos) {
@@ -141,11 +143,14 @@ Matte matte_from_alpha(const Photo& photo, const Image<float>& alpha, Progress& 
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress) {
   require_pixels(photos);
-  progress.begin("Colours of the strokes", rows_of_scribbled(photos, scribbles), 0.0, 0.1);
-  const auto teachers = learn_from_scribbles(photos, scribbles, options, progress);
+  progress.begin("Colours of the strokes", rows_of_scribbled(photos, scribbles), 0.0, 0.05);
+  auto teachers = learn_from_scribbles(photos, scribbles, options, progress);
   if (teachers.empty()) {
     throw Error("no photo has strokes; draw some over one photo, or import mattes");
   }
+  progress.begin("Background of the scribbled photos", kStudyRows * teachers.size(), 0.05, 0.1);
+  for (Teacher& teacher : teachers)
+    complete(teacher, strokes_of(*teacher.photo, scribbles), options, progress);
   auto studies = study_all(photos, scribbles, teachers, options, progress);
   progress.begin("What all photos agree on", kHullRounds * kStudyRows * photos.size(), 0.3, 0.5);
   for (int round = 0; round < kHullRounds; ++round)

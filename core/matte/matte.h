@@ -29,7 +29,7 @@ struct MatteOptions {
   double transfer_sigma = 0.1;   // the same, in photos that have no strokes of their own
   double position_weight = 2.0;  // how much a place near strokes of one kind favours that kind
   double region_sigma = 0.03;    // reach of the surroundings, as a fraction of the image diagonal
-  double region_weight = 3.0;    // how much tree or background all around favours the same
+  double region_weight = 2.0;    // how much tree or background all around favours the same
   double hull_weight = 3.0;  // how much the other photos, through their cameras, say "not the tree"
   double local_caution =
       5.0;  // half-covered pixels: 0 trusts the colours close by, large ignores them

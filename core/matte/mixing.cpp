@@ -8,7 +8,8 @@
 namespace bosk {
 namespace {
 
-constexpr float kLeastSpread = 0.03f;  // Lab units; below, rounding rules
+constexpr std::size_t kFineSteps = 48;  // that measure a mixing curve's length
+constexpr float kLeastSpread = 0.03f;   // Lab units; below, rounding rules
 
 glm::vec3 mixed_lab(const glm::vec3& background, const glm::vec3& foreground, float alpha,
                     const std::string& mixing) {
@@ -19,12 +20,37 @@ glm::vec3 mixed_lab(const glm::vec3& background, const glm::vec3& foreground, fl
   return lab_from_linear(glm::mix(linear_from_lab(background), linear_from_lab(foreground), alpha));
 }
 
+// Alphas that divide the curve into pieces of equal length: light mixed evenly runs through the
+// dark end of CIELab fastest.
+std::array<float, kMixingSegments + 1> even_alphas(const glm::vec3& background,
+                                                   const glm::vec3& foreground,
+                                                   const std::string& mixing) {
+  std::array<float, kFineSteps + 1> length{};
+  glm::vec3 last = background;
+  for (std::size_t i = 1; i <= kFineSteps; ++i) {
+    const glm::vec3 next = mixed_lab(background, foreground, float(i) / kFineSteps, mixing);
+    length[i] = length[i - 1] + glm::distance(last, next);
+    last = next;
+  }
+  std::array<float, kMixingSegments + 1> alphas{};
+  std::size_t step = 0;
+  for (std::size_t k = 1; k < kMixingSegments; ++k) {
+    const float wanted = length.back() * float(k) / kMixingSegments;
+    while (step + 1 < kFineSteps && length[step + 1] < wanted) ++step;
+    const float piece = std::max(length[step + 1] - length[step], 1e-12f);
+    const float within = std::clamp((wanted - length[step]) / piece, 0.0f, 1.0f);
+    alphas[k] = (float(step) + within) / kFineSteps;
+  }
+  alphas.back() = 1.0f;
+  return alphas;
+}
+
 MixingPath path_between(const ColourCluster& back, const ColourCluster& front,
                         const std::string& mixing) {
   MixingPath path;
-  for (int i = 0; i <= kMixingSegments; ++i) {
-    path.corner[std::size_t(i)] =
-        mixed_lab(back.lab, front.lab, float(i) / kMixingSegments, mixing);
+  path.alpha = even_alphas(back.lab, front.lab, mixing);
+  for (std::size_t i = 0; i <= kMixingSegments; ++i) {
+    path.corner[i] = mixed_lab(back.lab, front.lab, path.alpha[i], mixing);
   }
   path.background_variance = back.variance;
   path.foreground_variance = front.variance;

@@ -11,9 +11,10 @@ namespace bosk {
 constexpr int kMixingSegments = 6;
 
 // Colours that a leaf of one cluster shows in front of a background of another as its alpha grows
-// from 0 to 1: a polyline in CIELab whose corners are equally spaced in alpha.
+// from 0 to 1: a polyline in CIELab whose corners are about equally far apart.
 struct MixingPath {
   std::array<glm::vec3, kMixingSegments + 1> corner{};
+  std::array<float, kMixingSegments + 1> alpha{};  // at the corners
   float background_variance = 1.0f, foreground_variance = 1.0f;
   int foreground = 0, background = 0;  // clusters
 };

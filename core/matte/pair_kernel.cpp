@@ -7,6 +7,10 @@
 namespace bosk {
 namespace {
 
+// Where the surroundings are clear, a pixel this much covered is doubted as much as an opaque one:
+// a stem is opaque, not a half-covered bright leaf.
+constexpr float kFullDoubt = 0.5f;
+
 // Nearest point so far on a path, for each pixel of a run.
 struct Nearest {
   float residual[kRun];  // squared distance in CIELab
@@ -17,7 +21,7 @@ struct Nearest {
 // vectorised for the clone's processor.
 [[gnu::always_inline]] inline void nearest_on_segment(const PixelRun& run, const glm::vec3& start,
                                                       const glm::vec3& step, float first_alpha,
-                                                      Nearest& nearest) {
+                                                      float alpha_step, Nearest& nearest) {
   const float sx = start.x, sy = start.y, sz = start.z, dx = step.x, dy = step.y, dz = step.z;
   const float inverse = 1.0f / std::max(dx * dx + dy * dy + dz * dz, 1e-12f);
   const float *l = run.l, *a = run.a, *b = run.b;
@@ -29,7 +33,7 @@ struct Nearest {
     const float rx = x - u * dx, ry = y - u * dy, rz = z - u * dz;
     const float residual = rx * rx + ry * ry + rz * rz;
     const bool nearer = residual < nearest.residual[i];
-    nearest.alpha[i] = nearer ? first_alpha + u * (1.0f / kMixingSegments) : nearest.alpha[i];
+    nearest.alpha[i] = nearer ? first_alpha + u * alpha_step : nearest.alpha[i];
     nearest.residual[i] = nearer ? residual : nearest.residual[i];
   }
 }
@@ -49,7 +53,8 @@ struct Nearest {
     const float alpha = nearest.alpha[i];
     exponent[i] = front[i] + back[i] - log0 -
                   0.5f * nearest.residual[i] / (variance0 + alpha * variance_step) +
-                  alpha * (tilt[i] - log_step);
+                  std::min(tilt[i] < 0.0f ? alpha / kFullDoubt : alpha, 1.0f) * tilt[i] -
+                  alpha * log_step;
     greatest[i] = exponent[i] > greatest[i] ? exponent[i] : greatest[i];
   }
 }
@@ -114,8 +119,8 @@ std::size_t scratch_size(const MixedColours& colours) {
     std::fill_n(nearest.residual, kRun, 1e30f);
     for (std::size_t k = 0; k < kMixingSegments; ++k) {
       const glm::vec3 start = path.corner[k];
-      nearest_on_segment(run, start, path.corner[k + 1] - start, float(k) / kMixingSegments,
-                         nearest);
+      nearest_on_segment(run, start, path.corner[k + 1] - start, path.alpha[k],
+                         path.alpha[k + 1] - path.alpha[k], nearest);
     }
     weigh_path(path, run, nearest, exponent, totals.greatest);
     std::copy_n(nearest.alpha, kRun, alpha);
@@ -132,8 +137,10 @@ std::size_t scratch_size(const MixedColours& colours) {
     add_path(scratch + i * kRun, scratch + (count + i) * kRun, totals);
   }
   for (std::size_t i = 0; i < kRun; ++i) {
-    result.alpha[i] = totals.weighted[i] / totals.sum[i];
-    result.likelihood[i] = totals.greatest[i] + std::log(totals.sum[i]);
+    // Infinite or undefined input leaves a sum of 0, and then the pixel is clear
+    const float sum = std::max(totals.sum[i], 1e-30f);
+    result.alpha[i] = std::min(totals.weighted[i] / sum, 1.0f);
+    result.likelihood[i] = std::clamp(totals.greatest[i] + std::log(sum), -1e30f, 1e30f);
   }
 }
 

@@ -19,7 +19,10 @@ constexpr float kLeastVariance = 4.0f;  // (2 Lab units)^2: noise, JPEG and 8-bi
 constexpr int kGridSize = 256;          // longer side of the distance maps
 constexpr float kSloppyRatio =
     4.0f;  // a foreground sample this much likelier under the background goes
-constexpr float kMostDropped = 0.4f;  // if more would go, the colours overlap and none is dropped
+constexpr float kGapNearness =
+    0.3f;  // a sample that much nearer to the background than to the tree
+constexpr float kGapContrast = 40.0f;  // and this many Lab units from the tree's median goes too
+constexpr float kMostDropped = 0.4f;   // if more would go, the colours overlap and none is dropped
 
 glm::vec3 lab_at(const LabPlanes& lab, std::size_t i) {
   return {lab.l.data()[i], lab.a.data()[i], lab.b.data()[i]};
@@ -41,6 +44,13 @@ std::vector<glm::vec3> colours_of(const LabPlanes& lab, const std::vector<std::s
   return colours;
 }
 
+std::size_t nearest_cluster(const std::vector<ColourCluster>& clusters, const glm::vec3& colour) {
+  const auto nearer = [&](const ColourCluster& p, const ColourCluster& q) {
+    return glm::dot(p.lab - colour, p.lab - colour) < glm::dot(q.lab - colour, q.lab - colour);
+  };
+  return std::size_t(std::min_element(clusters.begin(), clusters.end(), nearer) - clusters.begin());
+}
+
 float density(const std::vector<ColourCluster>& clusters, const glm::vec3& colour) {
   float sum = 1e-20f;
   for (const ColourCluster& cluster : clusters) {
@@ -51,13 +61,36 @@ float density(const std::vector<ColourCluster>& clusters, const glm::vec3& colou
   return sum;
 }
 
+glm::vec3 median_of(std::vector<glm::vec3> colours) {
+  glm::vec3 median(0.0f);
+  const auto middle = colours.begin() + std::ptrdiff_t(colours.size() / 2);
+  for (int c = 0; c < 3; ++c) {
+    std::nth_element(colours.begin(), middle, colours.end(),
+                     [c](const glm::vec3& p, const glm::vec3& q) { return p[c] < q[c]; });
+    median[c] = (*middle)[c];
+  }
+  return median;
+}
+
+// Sky in a gap need not have the very colour of the sky under a stroke, which changes over the
+// photo; but it is nearer to that than to the tree.
+bool is_gap(const glm::vec3& colour, const glm::vec3& tree,
+            const std::vector<ColourCluster>& background) {
+  const float from_tree = glm::distance(colour, tree);
+  const float from_background =
+      glm::distance(colour, background[nearest_cluster(background, colour)].lab);
+  return from_tree > kGapContrast && from_background < kGapNearness * from_tree;
+}
+
 std::vector<std::size_t> without_sloppy(const LabPlanes& lab,
                                         const std::vector<std::size_t>& pixels,
                                         const std::vector<ColourCluster>& foreground,
                                         const std::vector<ColourCluster>& background) {
+  const glm::vec3 tree = median_of(colours_of(lab, pixels));
   std::vector<std::size_t> kept;
   for (const std::size_t i : pixels) {
     const glm::vec3 colour = lab_at(lab, i);
+    if (is_gap(colour, tree, background)) continue;
     if (density(background, colour) < kSloppyRatio * density(foreground, colour)) kept.push_back(i);
   }
   const bool overlap = float(kept.size()) < (1.0f - kMostDropped) * float(pixels.size());
@@ -68,13 +101,6 @@ Image<std::uint8_t> empty_grid(int width, int height) {
   const double scale = std::min(1.0, double(kGridSize) / std::max(width, height));
   return {std::max(1, int(std::lround(width * scale))),
           std::max(1, int(std::lround(height * scale)))};
-}
-
-std::size_t nearest_cluster(const std::vector<ColourCluster>& clusters, const glm::vec3& colour) {
-  const auto nearer = [&](const ColourCluster& p, const ColourCluster& q) {
-    return glm::dot(p.lab - colour, p.lab - colour) < glm::dot(q.lab - colour, q.lab - colour);
-  };
-  return std::size_t(std::min_element(clusters.begin(), clusters.end(), nearer) - clusters.begin());
 }
 
 std::vector<StrokeCluster> locate(const std::vector<ColourCluster>& clusters, const LabPlanes& lab,

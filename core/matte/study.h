@@ -15,7 +15,14 @@ struct Study {
   Image<float> place_tilt;  // coarse: what is believed of each place before any colour is looked at
   Image<float> mean_alpha;  // coarse: of the surroundings
   Image<float> outline;     // coarse: of the near surroundings
+  Image<float> alpha;       // of the sample
 };
+
+// Adds to the teacher's model what the photo shows of the background where the tree surely isn't:
+// strokes show only some of its colours, and other photos show the others too. `strokes` are the
+// teacher's own.
+void complete(Teacher& teacher, const Image<std::uint8_t>& strokes, const MatteOptions& options,
+              Progress& progress);
 
 // Finds the teacher, the gain and, in a few rounds, the region that the tree fills. `strokes` is
 // empty for a photo without strokes.

@@ -64,12 +64,16 @@ std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles&
     }
     require_both_kinds(strokes, "strokes for " + photo.name);
     const LabPlanes lab = lab_planes(photo.srgb, glm::vec3(1.0f), 1, progress);
-    Teacher teacher{&photo, learn_strokes(lab, strokes, options.clusters), 0.0};
-    teacher.likelihood = mean_likelihood(photo, glm::vec3(1.0f), teacher.model,
-                                         alpha_settings(true, options), progress);
-    teachers.push_back(std::move(teacher));
+    const StrokeModel model = learn_strokes(lab, strokes, options.clusters);
+    teachers.push_back({&photo, model, model, 0.0});
+    teachers.back().likelihood = own_likelihood(teachers.back(), options, progress);
   }
   return teachers;
+}
+
+double own_likelihood(const Teacher& teacher, const MatteOptions& options, Progress& progress) {
+  return mean_likelihood(*teacher.photo, glm::vec3(1.0f), teacher.model,
+                         alpha_settings(true, options), progress);
 }
 
 Lesson choose_teacher(const Photo& photo, const std::vector<Teacher>& teachers,

@@ -11,7 +11,8 @@ namespace bosk {
 // A scribbled photo and what its strokes teach.
 struct Teacher {
   const Photo* photo = nullptr;
-  StrokeModel model;
+  StrokeModel strokes;      // what was drawn
+  StrokeModel model;        // later with the background that the rest of the photo shows
   double likelihood = 0.0;  // mean over its own pixels, natural logarithm
 };
 
@@ -19,6 +20,9 @@ struct Teacher {
 // photo.
 std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles& scribbles,
                                           const MatteOptions& options, Progress& progress);
+
+// How well the teacher's model explains its own photo.
+double own_likelihood(const Teacher& teacher, const MatteOptions& options, Progress& progress);
 
 // Whose colours explain the photo best, and the gain that brings its linear light to their
 // exposure.

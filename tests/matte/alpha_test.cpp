@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/image/colour.h"
 
@@ -33,17 +34,35 @@ Image<glm::vec3> ramp(int width) {
 }
 
 AlphaEstimate estimate(const Image<glm::vec3>& srgb, const StrokeModel& model, float tilt,
-                       const std::string& mixing = "curve") {
+                       const AlphaSettings& settings = {"curve", 0.1f, 0.0f}) {
   Progress progress;
   const LabPlanes lab = lab_planes(srgb, glm::vec3(1.0f), 1, progress);
-  return estimate_alpha(lab, model, Image<float>(1, 1, tilt), {mixing, 0.1f, 0.0f}, progress);
+  return estimate_alpha(lab, model, Image<float>(1, 1, tilt), settings, progress);
 }
 
 TEST(EstimateAlpha, MeasuresLightMixedFromTwoColours) {
-  const AlphaEstimate found = estimate(ramp(101), leaf_and_sky(), 0.0f);
+  // So little belief in pure colours that only mixtures are left to explain a pixel
+  const AlphaEstimate found = estimate(ramp(101), leaf_and_sky(), 0.0f, {"curve", 0.1f, -50.0f});
   for (int x = 0; x <= 100; ++x) {
-    // A mixing path has 6 straight pieces; its corners cut the curve by up to 0.02 of alpha
-    EXPECT_NEAR(found.alpha(x, 0), float(x) / 100.0f, 0.03f);
+    // A mixing path has 6 straight pieces; within one, alpha and length grow up to 0.01 apart
+    EXPECT_NEAR(found.alpha(x, 0), float(x) / 100.0f, 0.012f);
+  }
+}
+
+TEST(EstimateAlpha, SnapsToPureColoursWithinTheirSpread) {
+  const AlphaEstimate doubtful = estimate(ramp(101), leaf_and_sky(), 0.0f, {"curve", 0.1f, -50.0f});
+  const AlphaEstimate sure = estimate(ramp(101), leaf_and_sky(), 0.0f, {"curve", 0.1f, 4.0f});
+  for (int x = 0; x <= 100; ++x) {
+    const float alpha = doubtful.alpha(x, 0);
+    if (alpha < 0.02f) {
+      EXPECT_LT(sure.alpha(x, 0), 0.5f * alpha + 1e-3f) << x;
+    }
+    if (alpha > 0.98f) {
+      EXPECT_GT(sure.alpha(x, 0), 0.5f * alpha + 0.5f - 1e-3f) << x;
+    }
+    if (alpha > 0.3f && alpha < 0.7f) {
+      EXPECT_NEAR(sure.alpha(x, 0), alpha, 1e-3f) << x;
+    }
   }
 }
 
@@ -84,8 +103,27 @@ TEST(EstimateAlpha, StaysBetweenZeroAndOneForAllColoursAndSpaces) {
   Image<glm::vec3> colours(125, 1);
   for (int i = 0; i < 125; ++i) colours(i, 0) = glm::vec3(i % 5, i / 5 % 5, i / 25) / 4.0f;
   for (const char* mixing : {"curve", "lab", "srgb"}) {
-    for (const float alpha : estimate(colours, leaf_and_sky(), 0.0f, mixing).alpha.pixels()) {
+    const AlphaEstimate found = estimate(colours, leaf_and_sky(), 0.0f, {mixing, 0.1f, 0.0f});
+    for (const float alpha : found.alpha.pixels()) {
       ASSERT_TRUE(alpha >= 0.0f && alpha <= 1.0f) << mixing;  // false for NaN too
+    }
+  }
+}
+
+TEST(EstimateAlpha, StaysBetweenZeroAndOneWhateverItIsGiven) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
+                  kInfinity = std::numeric_limits<float>::infinity();
+  for (const float strange : {kNan, kInfinity, -kInfinity, 1e30f, -1e30f}) {
+    Image<float> plane(5, 1, 50.0f), tilt(5, 1, 0.0f);
+    plane(1, 0) = strange;
+    tilt(4, 0) = strange;
+    StrokeModel model = leaf_and_sky();
+    model.background[0].squared_distance(0, 0) = strange;
+    Progress progress;
+    const AlphaEstimate found = estimate_alpha({plane, plane, plane}, model, tilt, {}, progress);
+    for (int x = 0; x < 5; ++x) {
+      ASSERT_TRUE(found.alpha(x, 0) >= 0.0f && found.alpha(x, 0) <= 1.0f) << strange << ", " << x;
+      ASSERT_TRUE(std::isfinite(found.likelihood(x, 0))) << strange << ", " << x;
     }
   }
 }
