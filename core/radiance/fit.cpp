@@ -17,8 +17,7 @@ namespace {
 
 constexpr float kMaxExtinction = 20.0f;
 constexpr float kOpaque = 2e-3f;  // a ray ends when less light than this is left
-constexpr float kMomentum = 0.9f, kVariance = 0.99f;  // Adam
-constexpr float kTiny = 1e-6f;  // and the derivative below which it is rounding, not slope
+constexpr float kMomentum = 0.9f, kVariance = 0.99f, kTiny = 1e-12f;  // Adam
 constexpr float kFlat = 0.05f;  // differences below this are smoothed as squares
 constexpr float kLastRate = 0.05f;
 

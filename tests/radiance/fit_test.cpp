@@ -117,9 +117,10 @@ TEST(FitVolume, StaysAtTheTruthWhenStartedThere) {
   Progress progress;
   fit_volume(volume, block.cache, block.support, schedule(1), progress, {});
   const MarchError error = march_error(volume, block.cache, block.support);
-  // Adam scales rounding errors up to whole steps; they must not add up.
-  EXPECT_LT(error.colour, 0.01);
-  EXPECT_LT(error.alpha, 0.01);
+  // Adam scales rounding errors up to whole steps, of 0.06 in colour at first, and the falling rate
+  // takes them back: a quarter of one step is left at most, they must not add up.
+  EXPECT_LT(error.colour, 0.015);
+  EXPECT_LT(error.alpha, 0.015);
 }
 
 TEST(FitVolume, GivesTheSameWithOneThreadAndMany) {
