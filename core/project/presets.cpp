@@ -22,13 +22,11 @@ std::string preset_names() {
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
-      {"fast",
-       "a look within a minute",
-       {{"radiance.finer_levels", "0"}, {"radiance.epochs", "1"}, {"radiance.last_epochs", "0"}}},
+      {"fast", "a look within a minute", {{"opacity.cell_px", "5"}, {"radiance.pixel_step", "2"}}},
       {"default", "the balance that the figures in the README are measured with", {}},
       {"best",
        "the best picture, whatever the time and the size",
-       {{"radiance.finer_levels", "2"}, {"radiance.epochs", "3"}}},
+       {{"opacity.cell_px", "2.8"}, {"radiance.epochs", "4"}, {"radiance.coarse_epochs", "4"}}},
   };
   return all;
 }

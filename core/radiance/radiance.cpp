@@ -56,19 +56,20 @@ struct Phase {
 // two steps, each followed by passes that let the rest take over what they held.
 std::vector<Phase> phases_of(const RadianceOptions& options, int first_level) {
   const int finest = std::min(first_level + options.finer_levels, kFinestLevel);
+  const int own = options.pixel_step;
   const auto faintest = float(options.faintest);
   std::vector<Phase> phases;
   for (int level = first_level; level < finest; ++level) {
-    const int step = std::min(1 << (finest - level), kCoarsestStep);
+    const int step = own * std::min(1 << (finest - level), kCoarsestStep);
     const bool last = level + 1 == finest && finest - first_level > 1;
     phases.push_back({level, step, options.coarse_epochs, 1.0f, last ? faintest : kFaintStart});
   }
   if (finest - first_level <= 1) {
-    phases.push_back({finest, 2, options.coarse_epochs, 1.0f, 0.25f * faintest});
+    phases.push_back({finest, 2 * own, options.coarse_epochs, 1.0f, 0.25f * faintest});
   }
-  phases.push_back({finest, 1, options.epochs, 0.7f, faintest});
+  phases.push_back({finest, own, options.epochs, 0.7f, faintest});
   if (options.last_epochs > 0)
-    phases.push_back({finest, 1, options.last_epochs, 0.3f, 0.5f * faintest});
+    phases.push_back({finest, own, options.last_epochs, 0.3f, 0.5f * faintest});
   return phases;
 }
 
@@ -117,6 +118,14 @@ Options describe(RadianceOptions& options) {
        &options.finer_levels,
        0,
        3,
+       {}},
+      {"pixel_step",
+       "px",
+       "pixels, each way, that photos are averaged over at the finest level; 2 is four times "
+       "faster",
+       &options.pixel_step,
+       1,
+       8,
        {}},
       {"epochs",
        "",
@@ -209,6 +218,8 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
   int epoch = 0;
   const std::vector<Phase> phases = phases_of(options, opacity.level());
   const std::vector<double> shares = shares_of(phases);
+  std::optional<Phase> cast;  // the phase whose rays `cache` holds
+  RayCache cache;
   for (std::size_t at = 0; at < phases.size(); ++at) {
     const Phase& phase = phases[at];
     const ProgressPart phase_part(progress, shares[at], shares[at + 1]);
@@ -216,8 +227,11 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
     if (phase.level > volume.grid.level()) volume = refined_volume(volume, silhouettes, progress);
     if (volume.grid.size() == 0) throw_empty();
     const TrilinearSupport support(volume.grid);
-    const RayCache cache = cache_rays(photos, mattes, phase.step, {volume.origin, volume.size_m},
-                                      phase.level, support, progress);
+    if (!cast || cast->level != phase.level || cast->step != phase.step) {
+      cast = phase;
+      cache = cache_rays(photos, mattes, phase.step, {volume.origin, volume.size_m}, phase.level,
+                         support, progress);
+    }  // else only cells were dropped since: the rays' stretches still hold all that are left
     if (volume.grid.level() == opacity.level() && epoch == 0)
       back_project_colour(volume, cache, support, progress);
     step_part.emplace(progress, kCastingShare, 1.0);
