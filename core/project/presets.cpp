@@ -22,7 +22,13 @@ std::string preset_names() {
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
-      {"fast", "a look within a minute", {{"opacity.cell_px", "5"}, {"radiance.pixel_step", "2"}}},
+      {"fast",
+       "a look within a minute",
+       {{"opacity.cell_px", "5"},
+        {"radiance.pixel_step", "2"},
+        {"radiance.subsets", "32"},
+        {"radiance.epochs", "1"},
+        {"radiance.last_epochs", "0"}}},
       {"default", "the balance that the figures in the README are measured with", {}},
       {"best",
        "the best picture, whatever the time and the size",

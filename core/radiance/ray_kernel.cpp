@@ -14,7 +14,6 @@ constexpr float kTiny = 1e-12f;
 // Two corners side by side. Everything below is inlined into each clone of fit_tile, so that it is
 // compiled for the clone's processor.
 using Pair = float __attribute__((vector_size(32)));
-using Lanes = int __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline Pair both(const Row& a, const Row& b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -107,17 +106,15 @@ template <int N>
                                            const std::array<float, kMaxCoefficients>& basis,
                                            Nodes<N>& gradient) {
   const Pair by_colours = both(by_colour, by_colour);
-  const Pair at_sample = halves(by_depth - dot3(by_colour, sample.colour), 0.0f);
-  const Pair base = __builtin_shufflevector(at_sample, at_sample, 0, 0, 0, 0, 0, 0, 0, 0);
-  constexpr Lanes kFromColour = {0, 1, 2, 11, 4, 5, 6, 15};
+  const float at_sample = by_depth - dot3(by_colour, sample.colour);
   for (int i = 0; i < 8; i += 2) {
     const auto a = std::size_t(corners.number[i]), b = std::size_t(corners.number[i + 1]);
     const Pair own = both(nodes[a].rows[0], nodes[b].rows[0]);
     const Pair weights = halves(sample.weights[i], sample.weights[i + 1]);
     const Pair colours = by_colours * (weights * last_lanes(own));
     const Pair depth =
-        weights * (base + half_sums(by_colours * view_colours<N>(nodes[a], nodes[b], basis)));
-    const Pair change = __builtin_shuffle(colours, depth, kFromColour);
+        weights * (at_sample + half_sums(by_colours * view_colours<N>(nodes[a], nodes[b], basis)));
+    const Pair change = __builtin_shufflevector(colours, depth, 0, 1, 2, 11, 4, 5, 6, 15);
     gradient[a].rows[0] += __builtin_shufflevector(change, change, 0, 1, 2, 3);
     gradient[b].rows[0] += __builtin_shufflevector(change, change, 4, 5, 6, 7);
     for (int j = 1; j < N; ++j) {
