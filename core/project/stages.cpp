@@ -142,6 +142,7 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
 
 Stage matte_stage() {
   Stage stage = stage_of("matte", "Mattes", 6, {"photo"});
+  stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.matte); };
   stage.hash_sources = [](ContentHasher& hasher, const Capture& capture) {
     hash_left_out(hasher, capture);
@@ -161,6 +162,7 @@ Stage matte_stage() {
 
 Stage opacity_stage() {
   Stage stage = stage_of("opacity", "Opacity", 8, {"view", "matte"});
+  stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.opacity); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.opacity =
@@ -172,6 +174,7 @@ Stage opacity_stage() {
 
 Stage radiance_stage() {
   Stage stage = stage_of("radiance", "Radiance", 58, {"view", "matte", "opacity"});
+  stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.radiance); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.radiance = shared(refine_radiance(*results.views, *results.mattes, *results.opacity,
@@ -183,6 +186,7 @@ Stage radiance_stage() {
 
 Stage texture_stage() {
   Stage stage = stage_of("texture", "Textures", 6, {"view", "radiance"});
+  stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.billboards = shared(
@@ -214,6 +218,7 @@ TreeMetadata metadata_of(const PackOptions& options, std::size_t photos) {
 
 Stage pack_stage() {
   Stage stage = stage_of("pack", "Package", 4, {"view", "texture", "compress"});
+  stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());

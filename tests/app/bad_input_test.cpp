@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/image/image_io.h"
+#include "core/project/lock.h"
 #include "tests/app/program.h"
 #include "tests/base/scratch_folder.h"
 
@@ -162,14 +163,8 @@ TEST_F(BadInput, AFullDiskIsStatus5AndLeavesTheProjectSound) {
 
 TEST_F(BadInput, AProjectThatAnotherProcessWorksOnIsTemporary) {
   ASSERT_EQ(make_project().status, 0);
-  auto arguments = quick_options();
-  arguments.insert(arguments.begin(), {"run", "p", "--quiet", "--radiance.epochs=50"});
-  Program first(arguments, folder.path());
-  ProgramEnd second;
-  // Until the first has taken its lock; other options each time, or there is nothing left to do
-  for (int tries = 0; first.is_running() && second.status != 75; ++tries)
-    second = bosk({"matte", "p", "--quiet", "--matte.clusters=" + std::to_string(5 + tries % 28)});
-  expect_refusal(second, "is working on this project", 75);
+  const ProjectLock ours(folder / "p");
+  expect_refusal(bosk({"matte", "p", "--quiet"}), "is working on this project", 75);
 }
 
 }  // namespace
