@@ -18,7 +18,7 @@ Diagnosis diagnose(int code) {
     case EDQUOT:
       return {ErrorKind::resource, "free space on this disk or choose a folder on another one"};
     case EFBIG:
-      return {ErrorKind::resource, "raise the file size limit of this session (ulimit -f)"};
+      return {ErrorKind::resource, "raise the limit on file sizes (ulimit -f)"};
     case ENOMEM:
       return {ErrorKind::resource, "close other programs or use a machine with more memory"};
     case EMFILE:

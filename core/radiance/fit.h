@@ -11,7 +11,7 @@ namespace bosk {
 // How one fit of one level runs.
 struct FitSchedule {
   int epochs = 4;                     // passes over all rays
-  int subsets = 24;                   // interleaved updates per epoch
+  int subsets = 48;                   // interleaved updates per epoch
   float extinction_rate = 0.1f;       // first step size, relative to clamp(extinction, 0.3, 3)
   float colour_rate = 0.06f;          // first step size of the mean colour
   float harmonics_rate = 0.015f;      // and of the higher coefficients
