@@ -3,11 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "core/image/image_io.h"
-#include "core/project/lock.h"
 #include "tests/app/program.h"
 #include "tests/base/scratch_folder.h"
 
@@ -163,8 +164,15 @@ TEST_F(BadInput, AFullDiskIsStatus5AndLeavesTheProjectSound) {
 
 TEST_F(BadInput, AProjectThatAnotherProcessWorksOnIsTemporary) {
   ASSERT_EQ(make_project().status, 0);
-  const ProjectLock ours(folder / "p");
-  expect_refusal(bosk({"matte", "p", "--quiet"}), "is working on this project", 75);
+  const fs::path lock = folder / "p" / ".lock";  // names its holder as soon as it is taken
+  fs::remove(lock);
+  auto arguments = quick_options();
+  arguments.insert(arguments.begin(), {"run", "p", "--quiet", "--radiance.epochs=50"});
+  Program first(arguments, folder.path());
+  while (first.is_running() && content_of(lock).empty())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  expect_refusal(bosk({"matte", "p", "--quiet", "--matte.clusters=7"}),
+                 "is working on this project", 75);
 }
 
 }  // namespace
