@@ -121,12 +121,13 @@ std::string html_page(const Evaluation& evaluation, const Project& project,
          "</title><style>" + kStyle + "</style></head><body>\n<h1>" + name + "</h1>\n<p>" +
          html_text(evaluation.title) + ": on average " + number_text(mean.psnr, 2) +
          " dB and SSIM " + number_text(mean.ssim, 3) + " over white. The package takes " +
-         size_text(evaluation.package_bytes) +
-         ".</p>\n<img alt=\"photo, Bosk, difference\" src=\"" + "data:image/png;base64," +
-         base64(sheet_png) + "\">\n<h2>Scores</h2>\n" + score_table(evaluation.scores) +
+         size_text(evaluation.package_bytes) + ".</p>\n<h2>Scores</h2>\n" +
+         score_table(evaluation.scores) +
          "<p>psnr and crop_psnr in dB; crop: inside the tree's box; alpha_mae: mean error of "
          "opacity, 0 to 1; edge_ratio: below 1 is blur, above 1 noise; colour_error: CIEDE2000, "
-         "about 1 is just visible.</p>\n<h2>Levels of detail</h2>\n" +
+         "about 1 is just visible.</p>\n<h2>Views</h2>\n<img alt=\"photo, Bosk, difference\" "
+         "src=\"" +
+         "data:image/png;base64," + base64(sheet_png) + "\">\n<h2>Levels of detail</h2>\n" +
          level_table(evaluation.tree) + "<h2>Time of the stages</h2>\n" +
          time_table(evaluation.times) + "<h2>Settings</h2>\n" + option_table(project) +
          "<p>Made by bosk " BOSK_VERSION ".</p>\n</body></html>\n";

@@ -14,6 +14,7 @@ namespace bosk {
 namespace {
 
 constexpr int kGap_px = 10, kLine_px = 22;
+constexpr int kMargin_px = 8;  // of the pictures, around what they show
 constexpr double kLetterScale = 0.45;
 constexpr double kGain = 3.0;
 const char* const kHeadings[] = {"photo", "Bosk", "difference x 3"};
@@ -33,11 +34,29 @@ Image<glm::u8vec3> picture_over_white(const Image<glm::u8vec4>& rgba) {
   return picture;
 }
 
-cv::Size cell_size(const SheetRow& row, int cell_px) {
+// What either picture shows, and a margin: empty surroundings would only make the tree smaller. The
+// whole where both are clear.
+cv::Rect shown_part(const SheetRow& row) {
   const int width = row.truth.width(), height = row.truth.height();
-  const double scale = std::min(1.0, double(cell_px) / std::max({1, width, height}));
-  return {std::max(1, int(std::lround(scale * width))),
-          std::max(1, int(std::lround(scale * height)))};
+  int left = width, top = height, right = -1, bottom = -1;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (row.truth(x, y).a == 0 && row.rendered(x, y).a == 0) continue;
+      left = std::min(left, x), right = std::max(right, x);
+      top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+  }
+  const cv::Rect whole(0, 0, width, height);
+  if (right < 0) return whole;
+  return cv::Rect({left - kMargin_px, top - kMargin_px},
+                  cv::Point{right + 1 + kMargin_px, bottom + 1 + kMargin_px}) &
+         whole;
+}
+
+cv::Size cell_size(const cv::Rect& part, int cell_px) {
+  const double scale = std::min(1.0, double(cell_px) / std::max({1, part.width, part.height}));
+  return {std::max(1, int(std::lround(scale * part.width))),
+          std::max(1, int(std::lround(scale * part.height)))};
 }
 
 void write_line(cv::Mat& sheet, const std::string& text, int left, int top) {
@@ -45,14 +64,15 @@ void write_line(cv::Mat& sheet, const std::string& text, int left, int top) {
               cv::Scalar::all(40), 1, cv::LINE_AA);
 }
 
-void draw_row(cv::Mat& sheet, const SheetRow& row, const cv::Size& cell, int column_px, int top) {
+void draw_row(cv::Mat& sheet, const SheetRow& row, const cv::Rect& part, const cv::Size& cell,
+              int column_px, int top) {
   const std::array<Image<glm::u8vec3>, 3> pictures{picture_over_white(row.truth),
                                                    picture_over_white(row.rendered),
                                                    difference_picture(row.rendered, row.truth)};
   int left = kGap_px;
   for (const auto& picture : pictures) {
     cv::Mat target = sheet(cv::Rect({left, top}, cell));
-    cv::resize(cv_view(picture), target, cell, 0.0, 0.0, cv::INTER_AREA);
+    cv::resize(cv_view(picture)(part), target, cell, 0.0, 0.0, cv::INTER_AREA);
     left += column_px + kGap_px;
   }
   write_line(sheet, row.caption, kGap_px, top + cell.height);
@@ -82,10 +102,12 @@ Image<glm::u8vec3> difference_picture(const Image<glm::u8vec4>& rendered,
 
 Image<glm::u8vec3> contact_sheet(const std::vector<SheetRow>& rows, int cell_px) {
   int column_px = 120, height_px = kGap_px + kLine_px;
+  std::vector<cv::Rect> parts;
   std::vector<cv::Size> cells;
   for (const SheetRow& row : rows) {
     check_row(row);
-    cells.push_back(cell_size(row, cell_px));
+    parts.push_back(shown_part(row));
+    cells.push_back(cell_size(parts.back(), cell_px));
     column_px = std::max(column_px, cells.back().width);
     height_px += cells.back().height + kLine_px + kGap_px;
   }
@@ -96,7 +118,7 @@ Image<glm::u8vec3> contact_sheet(const std::vector<SheetRow>& rows, int cell_px)
   }
   int top = kGap_px + kLine_px;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    draw_row(drawing, rows[i], cells[i], column_px, top);
+    draw_row(drawing, rows[i], parts[i], cells[i], column_px, top);
     top += cells[i].height + kLine_px + kGap_px;
   }
   return sheet;

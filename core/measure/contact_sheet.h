@@ -18,8 +18,9 @@ struct SheetRow {
   Image<glm::u8vec4> truth, rendered;
 };
 
-// A picture of rows "photo | Bosk | difference" with headings, each picture shrunk (area means,
-// never enlarged) to at most `cell_px` in width and height. Error when a row's sizes differ.
+// A picture of rows "photo | Bosk | difference" with headings, each picture cut to what either
+// shows and 8 px around it, then shrunk (area means, never enlarged) to at most `cell_px` in width
+// and height. Error when a row's sizes differ.
 Image<glm::u8vec3> contact_sheet(const std::vector<SheetRow>& rows, int cell_px);
 
 }  // namespace bosk

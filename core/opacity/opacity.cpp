@@ -99,7 +99,8 @@ Options describe(OpacityOptions& options) {
        {}},
       {"cell_px",
        "px",
-       "size of the finest cells in the photos; smaller is sharper, slower and bigger",
+       "size of the finest cells in the photos, at most 256 cells across; smaller is sharper, "
+       "slower and bigger",
        &options.cell_px,
        1.0,
        100.0,

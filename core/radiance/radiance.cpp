@@ -56,20 +56,20 @@ struct Phase {
 // two steps, each followed by passes that let the rest take over what they held.
 std::vector<Phase> phases_of(const RadianceOptions& options, int first_level) {
   const int finest = std::min(first_level + options.finer_levels, kFinestLevel);
-  const int own = options.pixel_step;
+  const int finest_step = options.pixel_step;
   const auto faintest = float(options.faintest);
   std::vector<Phase> phases;
   for (int level = first_level; level < finest; ++level) {
-    const int step = own * std::min(1 << (finest - level), kCoarsestStep);
+    const int step = finest_step * std::min(1 << (finest - level), kCoarsestStep);
     const bool last = level + 1 == finest && finest - first_level > 1;
     phases.push_back({level, step, options.coarse_epochs, 1.0f, last ? faintest : kFaintStart});
   }
   if (finest - first_level <= 1) {
-    phases.push_back({finest, 2 * own, options.coarse_epochs, 1.0f, 0.25f * faintest});
+    phases.push_back({finest, 2 * finest_step, options.coarse_epochs, 1.0f, 0.25f * faintest});
   }
-  phases.push_back({finest, own, options.epochs, 0.7f, faintest});
+  phases.push_back({finest, finest_step, options.epochs, 0.7f, faintest});
   if (options.last_epochs > 0)
-    phases.push_back({finest, own, options.last_epochs, 0.3f, 0.5f * faintest});
+    phases.push_back({finest, finest_step, options.last_epochs, 0.3f, 0.5f * faintest});
   return phases;
 }
 

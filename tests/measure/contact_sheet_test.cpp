@@ -36,6 +36,21 @@ TEST(ContactSheet, ShrinksLargePicturesToTheCell) {
   EXPECT_EQ(sheet.height(), 32 + 2 * (100 + 32));
 }
 
+TEST(ContactSheet, CutsAwayWhatBothLeaveClear) {
+  Picture photo(300, 200, {0, 0, 0, 0}), render = photo;
+  photo(100, 50) = {200, 0, 0, 255};   // 8 px around both: x 92 to 118, y 42 to 98
+  render(110, 90) = {0, 200, 0, 255};  // also what only the rendered view shows
+  const Image<glm::u8vec3> sheet = contact_sheet({{"", photo, render}}, 400);
+  EXPECT_EQ(sheet.height(), 32 + 57 + 32);
+  EXPECT_EQ(sheet(10 + 8, 32 + 8), glm::u8vec3(200, 0, 0));
+  EXPECT_EQ(sheet(140 + 18, 32 + 48), glm::u8vec3(0, 200, 0));
+}
+
+TEST(ContactSheet, ShowsClearPicturesWhole) {
+  const Picture clear(30, 20, {0, 0, 0, 0});
+  EXPECT_EQ(contact_sheet({{"", clear, clear}}, 400).height(), 32 + 20 + 32);
+}
+
 TEST(ContactSheet, RefusesARowOfTwoSizes) {
   EXPECT_THROW(contact_sheet({{"x", Picture(4, 4), Picture(4, 5)}}, 100), Error);
 }
