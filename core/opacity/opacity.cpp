@@ -18,6 +18,7 @@ constexpr float kSilhouetteAlpha = 0.0f;  // any opacity keeps a cell in the hul
 constexpr int kCoarsestLevel = 5;
 constexpr int kFinestLevel = 9;   // 512 cells a side
 constexpr int kFinestChosen = 8;  // unless asked for: leaves one level to radiance
+constexpr int kCountedLevel = 6;  // this and the next tell how the hull's cells grow in number
 constexpr double kRaysAcrossCell =
     1.25;  // pixels averaged so that about this many cross a cell: more gave no better start
 constexpr double kCrownShare = 0.05, kCastingShare = 0.4;  // of the time, for the progress
@@ -59,9 +60,20 @@ struct Frame {
   int finest = kCoarsestLevel;
 };
 
-Frame frame_of(const Cube& crown, double crown_px, const OpacityOptions& options) {
-  if (options.finest_level > 0) return {crown, options.finest_level};
-  const double cells = crown_px / options.cell_px;
+// Cells across the crown with which the hull holds about `most` cells: the hull's count at two
+// levels gives the power of the edge that it grows with (3 for a solid, near 2 for thin branches).
+double cells_across_for(double most, const std::vector<Silhouette>& silhouettes, const Cube& crown,
+                        Progress& progress) {
+  const auto count = [&](int level) {
+    return double(std::max<std::size_t>(carve_hull(silhouettes, crown, level, progress).size(), 1));
+  };
+  const double coarse = count(kCountedLevel), fine = count(kCountedLevel + 1);
+  const double power = std::clamp(std::log2(fine / coarse), 1.0, 3.0);
+  return double(2 << kCountedLevel) * std::pow(most / fine, 1.0 / power);
+}
+
+Frame frame_of(const Cube& crown, double cells, int finest_level) {
+  if (finest_level > 0) return {crown, finest_level};
   const int finest = std::clamp(int(std::ceil(std::log2(cells))), kCoarsestLevel, kFinestChosen);
   const double growth = std::clamp(double(1 << finest) / cells, 1.0, 2.0);
   return {{crown.origin - 0.5 * (growth - 1.0) * crown.size_m, growth * crown.size_m}, finest};
@@ -105,6 +117,14 @@ Options describe(OpacityOptions& options) {
        1.0,
        100.0,
        {}},
+      {"max_cells",
+       "thousand",
+       "cells, about, that may hold something: they are made larger where a dense tree would need "
+       "more; 0 is any number",
+       &options.max_cells,
+       0.0,
+       1e6,
+       {}},
       {"passes",
        "",
        "passes of the solver over all rays at each level",
@@ -129,7 +149,12 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
   std::optional<ProgressPart> part(std::in_place, progress, 0.0, kCrownShare);
   const Cube box = find_crown(silhouettes, progress);
   const double px_per_metre = pixels_per_metre(photos, box);
-  const auto [crown, finest] = frame_of(box, box.size_m * px_per_metre, options);
+  double cells_across = box.size_m * px_per_metre / options.cell_px;
+  if (options.max_cells > 0.0) {
+    const double most = 1e3 * options.max_cells;
+    cells_across = std::min(cells_across, cells_across_for(most, silhouettes, box, progress));
+  }
+  const auto [crown, finest] = frame_of(box, cells_across, options.finest_level);
   const double crown_px = crown.size_m * px_per_metre;
 
   OpacityTree tree;

@@ -16,6 +16,7 @@ namespace bosk {
 struct OpacityOptions {
   int finest_level = 0;  // 4 to 9; 0: chosen by cell_px
   double cell_px = 3.6;  // size of the finest cells in the photos, the median photo at the crown
+  double max_cells = 0;  // thousand in the hull, about: cells grow past cell_px to keep it; 0: any
   int passes = 1;        // of the solver over all rays at the finest level
   int subsets = 8;       // interleaved pixels per pass
 };

@@ -24,8 +24,8 @@ const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
       {"fast",
        "a look within a minute",
-       {{"opacity.cell_px", "5"},
-        {"radiance.pixel_step", "2"},
+       {{"opacity.max_cells", "600"},
+        {"radiance.max_samples", "200"},
         {"radiance.subsets", "32"},
         {"radiance.epochs", "1"},
         {"radiance.last_epochs", "0"}}},

@@ -18,6 +18,7 @@ constexpr float kFaintStart = 0.001f;
 constexpr int kFinestLevel = 9;
 constexpr int kCoarsestStep =
     4;  // photos of coarse levels are averaged over at most this many pixels
+constexpr int kCountedStep = 8;  // rays of blocks of so many pixels a side tell how many samples
 
 // Casting a phase's rays, for the progress: in passes over them, and as a share of a typical phase.
 constexpr double kCastingPasses = 0.5, kCastingShare = 0.15;
@@ -54,9 +55,8 @@ struct Phase {
 
 // Coarse to fine; at the finest level first on halved photos, then on all pixels. Faint cells go in
 // two steps, each followed by passes that let the rest take over what they held.
-std::vector<Phase> phases_of(const RadianceOptions& options, int first_level) {
+std::vector<Phase> phases_of(const RadianceOptions& options, int first_level, int finest_step) {
   const int finest = std::min(first_level + options.finer_levels, kFinestLevel);
-  const int finest_step = options.pixel_step;
   const auto faintest = float(options.faintest);
   std::vector<Phase> phases;
   for (int level = first_level; level < finest; ++level) {
@@ -96,6 +96,21 @@ FitSchedule schedule_of(const RadianceOptions& options, const Phase& phase) {
   return schedule;
 }
 
+// Pixels, each way, to average photos over so that their rays have at most `max_samples` million
+// samples in the volume's cells. Counted on a share of the rays.
+int finest_step(const Photos& photos, const Mattes& mattes, const RadianceVolume& volume,
+                double max_samples, Progress& progress) {
+  if (max_samples <= 0.0) return 1;
+  const TrilinearSupport support(volume.grid);
+  const ProgressPart part(progress, 0.0, 0.0);
+  const RayCache cache = cache_rays(photos, mattes, kCountedStep, {volume.origin, volume.size_m},
+                                    volume.grid.level(), support, progress);
+  double samples = 0.0;
+  for (const SampleSpan& span : cache.spans) samples += span.last - span.first;
+  const double all = samples * double(kCountedStep * kCountedStep);
+  return std::clamp(int(std::ceil(std::sqrt(all / (1e6 * max_samples)))), 1, kCountedStep);
+}
+
 [[noreturn]] void throw_empty() {
   throw Error(
       "nothing opaque is left of the volume: check that mattes and cameras belong together");
@@ -119,13 +134,13 @@ Options describe(RadianceOptions& options) {
        0,
        3,
        {}},
-      {"pixel_step",
-       "px",
-       "pixels, each way, that photos are averaged over at the finest level; 2 is four times "
-       "faster",
-       &options.pixel_step,
-       1,
-       8,
+      {"max_samples",
+       "million",
+       "samples along the photos' rays in opacity's cells; photos are averaged over 2x2, 3x3... "
+       "pixels until no more are left; 0 is any number",
+       &options.max_samples,
+       0.0,
+       1e6,
        {}},
       {"epochs",
        "",
@@ -216,7 +231,8 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
   volume.colour.assign(volume.grid.size() * std::size_t(volume.coefficients()) * 3, 0.0f);
   volume = without_faint(volume, kFaintStart);
   int epoch = 0;
-  const std::vector<Phase> phases = phases_of(options, opacity.level());
+  const std::vector<Phase> phases = phases_of(
+      options, opacity.level(), finest_step(photos, mattes, volume, options.max_samples, progress));
   const std::vector<double> shares = shares_of(phases);
   std::optional<Phase> cast;  // the phase whose rays `cache` holds
   RayCache cache;

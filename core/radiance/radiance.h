@@ -14,13 +14,14 @@
 namespace bosk {
 
 struct RadianceOptions {
-  int degree = 0;                  // of the spherical harmonics of colour: 0, 1 or 2
-  int finer_levels = 1;            // octree levels below opacity's finest
-  int pixel_step = 1;              // photos are averaged over so many pixels at the finest level
-  int epochs = 2;                  // passes over all pixels at the finest level
-  int last_epochs = 1;             // and after faint cells are dropped
-  int coarse_epochs = 3;           // passes at each coarser level, over averaged pixels
-  int subsets = 48;                // updates per pass
+  int degree = 0;            // of the spherical harmonics of colour: 0, 1 or 2
+  int finer_levels = 1;      // octree levels below opacity's finest
+  double max_samples = 0.0;  // million, of the photos' rays in opacity's cells: photos are averaged
+                             // over blocks of pixels until they have no more; 0: any number
+  int epochs = 2;            // passes over all pixels at the finest level
+  int last_epochs = 1;       // and after faint cells are dropped
+  int coarse_epochs = 3;     // passes at each coarser level, over averaged pixels
+  int subsets = 48;          // updates per pass
   double extinction_rate = 0.1;    // first step of an update, relative to clamp(extinction, 0.3, 3)
   double colour_rate = 0.06;       // first step of an update of colour
   double colour_variation = 0.05;  // weight of the total variation of colour, per ray

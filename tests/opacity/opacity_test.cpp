@@ -101,6 +101,25 @@ TEST(EstimateOpacity, GivesTheSameWithOneThreadAndMany) {
   EXPECT_EQ(many.extinction, single.extinction);  // to the bit
 }
 
+TEST(EstimateOpacity, GrowsCellsUntilThereAreAboutAsManyAsAllowed) {
+  const BallScene scene;
+  const Photos photos = ring_photos(scene, 8);
+  const Mattes mattes = mattes_of(scene, photos);
+  OpacityOptions options;
+  options.cell_px = 1.0;
+  Progress progress;
+  const std::size_t all = estimate_opacity(photos, mattes, options, progress).grid.size();
+  options.max_cells = 10.0;
+  const std::size_t some = estimate_opacity(photos, mattes, options, progress).grid.size();
+  ASSERT_GT(all, 20'000u);
+  // "About": the count grows with a power of the edge, taken from two coarser levels, in which the
+  // hull's rim of one cell weighs more.
+  EXPECT_GT(some, 7'000u);
+  EXPECT_LT(some, 13'000u);
+  options.max_cells = 1e-3 * double(2 * all);  // more than there are: no limit
+  EXPECT_EQ(estimate_opacity(photos, mattes, options, progress).grid.size(), all);
+}
+
 TEST(EstimateOpacity, StopsWhenCancelled) {
   const BallScene scene;
   const Photos photos = ring_photos(scene, 6);

@@ -24,11 +24,13 @@ OpacityTree opacity_of(const Photos& photos, const Mattes& mattes) {
   return estimate_opacity(photos, mattes, options, progress);
 }
 
-RadianceVolume refined_ball(const BallScene& scene, int photo_count, int degree) {
+RadianceVolume refined_ball(const BallScene& scene, int photo_count, int degree,
+                            double max_samples = 0.0) {
   const Photos photos = ring_photos(scene, photo_count);
   const Mattes mattes = mattes_of(scene, photos);
   RadianceOptions options;
   options.degree = degree;
+  options.max_samples = max_samples;
   Progress progress;
   return refine_radiance(photos, mattes, opacity_of(photos, mattes), options, progress);
 }
@@ -53,6 +55,17 @@ TEST(RefineRadiance, ShowsATwoColouredBallFromViewsItDidNotSee) {
     EXPECT_LT(error.colour, 0.06) << "turn " << turn;
     EXPECT_LT(error.alpha, 0.08) << "turn " << turn;
   }
+}
+
+TEST(RefineRadiance, AveragesPhotosWhenTheyHaveMoreSamplesThanAllowed) {
+  const BallScene scene = two_colours();
+  const RadianceVolume all = refined_ball(scene, 6, 0);
+  // About 6 x 45^2 rays of up to 16 samples: 0.15 million.
+  EXPECT_EQ(refined_ball(scene, 6, 0, 1.0).extinction, all.extinction);  // to the bit: all rays
+  const RadianceVolume halved = refined_ball(scene, 6, 0, 0.06);
+  EXPECT_NE(halved.extinction, all.extinction);
+  // A pixel of the halved photos is 1.2 cells of 1.7 px wide: about twice the blur of all pixels.
+  EXPECT_LT(error_of_view(scene, halved, 0.7).colour, 0.12);
 }
 
 TEST(RefineRadiance, RunsAtEveryDegree) {
