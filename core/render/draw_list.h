@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
-#include "core/package/tree_model.h"
-#include "core/render/view_blend.h"
+#include "core/render/prepared_tree.h"
 
 namespace bosk {
 
@@ -14,42 +15,51 @@ namespace bosk {
 // library and GLM alone, as a game links it.
 
 struct Viewpoint {
-  glm::dvec3 eye{0.0};                // world frame
-  glm::dvec3 forward{0.0, 1.0, 0.0};  // unit length, world frame
+  glm::dvec3 eye{0.0};
+  glm::dvec3 forward{0.0, 1.0, 0.0};  // unit length
   double focal_px = 1000.0;           // pixels that a metre covers at a depth of one metre
 };
 
 struct DrawOptions {
-  double detail =
-      1.0;  // sizes on screen are multiplied by it before a level is chosen; above 1: finer
+  // Sizes on screen are multiplied by it before a level is chosen; above 1: finer.
+  double detail = 1.0;
   int only_level = -1;  // this octree level everywhere, whatever the size; -1: chosen by size
-  BlendRule blend = BlendRule::fading;
+  // A level gives way to the next finer one while sizes on screen grow by this factor; 1: at once.
+  double dissolve = 1.25;
   // Half opening of the cone around `forward` outside which nothing is drawn. pi / 2 drops what is
   // behind the eye; pi drops nothing.
   double half_angle = 0.5 * std::numbers::pi;
 };
 
-// One billboard: cell `cell` of levels[level_slot], its textures of views a and b mixed by
-// weight_b. view_a and view_b are positions in TreeLevel::views; equal when one texture is enough.
-struct DrawItem {
-  std::uint32_t level_slot = 0, cell = 0;
-  std::uint32_t view_a = 0, view_b = 0;
-  float weight_b = 0.0f;
+// A run of cells, drawn one after the other: entry `first`, `first + 1` ... of
+// PreparedTree::order_table(), or `first`, `first - 1` ... when backwards; `count` of them. Where
+// the eye's planes cut the run's region, several ranges name the same cells and each draws its
+// part: along a split axis a cell belongs to the low half when its lower corner, in finest cells,
+// is at most that of the eye's (eye_cell), else to the high half.
+struct DrawRange {
+  std::uint32_t instance = 0;  // of a forest; 0 for a tree alone
+  std::uint32_t first = 0, count = 0;
+  std::uint8_t backwards = 0;  // 0 or 1
+  std::uint8_t split = 0;      // bit per axis: only one half of it is drawn
+  std::uint8_t high = 0;       // bit per axis: which
+  std::uint8_t cut = 0;        // which level's cut the cells belong to, as PreparedTree::cut
+  // While two levels dissolve into each other each draws its share: an opacity a becomes
+  // 1 - (1 - a)^fade, so that together they stop the light that either would alone.
+  float fade = 1.0f;
 
-  bool operator==(const DrawItem&) const = default;
+  bool operator==(const DrawRange&) const = default;
 };
-using DrawList = std::vector<DrawItem>;
 
-// Billboards in back-to-front order, exact for the cells' cubes from every eye, also inside the
-// crown. A region of the octree is drawn at the coarsest level whose cell there is at most
-// max_cell_px on screen, else at the finest that has cells there: a level without a cell is passed
-// over, never a hole. Left out: cells wholly pruned in the views that would be mixed (pruned in
-// one: the other stands alone) and cells nearer to the eye than half their billboard's side. Levels
-// are expected coarse to fine.
-DrawList make_draw_list(const TreeModel& model, const Viewpoint& viewpoint,
-                        const DrawOptions& options);
+// Ranges in back-to-front order, exact for the cells' cubes from every eye, also inside the crown.
+// Every cut covers the tree once; regions are cut as finely as their depth along `forward` asks for
+// (planes of equal depth part the levels, Linz et al. 2006, section 3.1), in nodes of 16 cells a
+// side. `viewpoint` is in the tree's own frame.
+void append_ranges(const PreparedTree& tree, const Viewpoint& viewpoint, const DrawOptions& options,
+                   std::uint32_t instance, std::vector<DrawRange>& ranges);
+std::vector<DrawRange> make_draw_list(const PreparedTree& tree, const Viewpoint& viewpoint,
+                                      const DrawOptions& options);
 
-// Whether the texture of one view draws nothing. `view` is a position in TreeLevel::views.
-bool is_pruned(const TreeLevel& level, std::uint32_t cell, std::uint32_t view);
+// The eye in finest cells of the octree, rounded down and kept within -1 .. cells a side.
+glm::ivec3 eye_cell(const PreparedTree& tree, const glm::dvec3& eye);
 
 }  // namespace bosk
