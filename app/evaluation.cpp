@@ -32,13 +32,13 @@ std::string caption_of(const std::string& name, const ViewScore& score) {
 // Draws the package for each view and scores it.
 void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Console& console) {
   std::vector<NamedScore> scores;
+  const PreparedTree tree(evaluation.tree);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& [camera, truth] = views[i];
     const double width = (kScoreShare.to - kScoreShare.from) / double(views.size());
     console.progress().scope(kScoreShare.from + width * double(i),
                              kScoreShare.from + width * double(i + 1), "Scores");
-    const Picture rendered =
-        rgba8_from_straight(render_tree(evaluation.tree, camera, {}, console.progress()));
+    const Picture rendered = rgba8_from_straight(render_tree(tree, camera, {}, console.progress()));
     const ViewScore score = score_view(rendered, truth);
     scores.push_back({camera.name, score});
     evaluation.views.push_back({caption_of(camera.name, score), truth, rendered});

@@ -29,7 +29,8 @@ void make_folder(const fs::path& folder) {
 ExitStatus render_views(const RenderArguments& arguments, Console& console) {
   RenderOptions options;
   set_options(arguments.options, describe(options));
-  const TreeModel tree = load_tree(arguments.package);
+  const TreeModel model = load_tree(arguments.package);
+  const PreparedTree tree(model);
   const std::vector<Camera> cameras = read_cameras(arguments.cameras);
   make_folder(arguments.output);
   std::vector<std::string> pictures;

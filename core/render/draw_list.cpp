@@ -1,179 +1,219 @@
 #include "core/render/draw_list.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-
-#include "core/render/billboard_geometry.h"
 
 namespace bosk {
 namespace {
 
-constexpr std::size_t kMostLevels = 22;  // a 64-bit Morton code holds levels 0 to 21
+constexpr double kEvenFineness = 1.0 / 16.0;   // differences of it within a node that don't show
+constexpr int kLevelsOfNode = 4;               // nodes of 2^4 cells a side are not divided
+constexpr std::uint32_t kCheapTwice = 512;     // cells that are sooner looked at twice than divided
+constexpr std::uint32_t kCheapOutside = 2048;  // cells partly outside the cone that are not divided
 
-// Cells of one level inside a node: positions in TreeLevel::cells, which Morton order keeps
-// together.
-struct CellRange {
-  std::uint32_t first = 0, last = 0;
-  bool empty() const { return first == last; }
-};
-using CellRanges = std::array<CellRange, kMostLevels>;  // per slot
+double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
 
-struct Node {
-  int depth = 0;
-  glm::dvec3 centre{0.0};
-  double size_m = 0.0;
-};
-
-// Octant `octant` of a cell range whose codes share all bits above the three at `shift`.
-std::array<std::uint32_t, 9> octant_bounds(const std::vector<std::uint64_t>& cells,
-                                           const CellRange& range, int shift) {
-  std::array<std::uint32_t, 9> bounds;
-  std::uint32_t at = range.first;
-  for (std::uint32_t octant = 0; octant < 8; ++octant) {
-    bounds[octant] = at;
-    if (range.last - at > 32) {
-      const auto next =
-          std::partition_point(cells.begin() + at, cells.begin() + range.last,
-                               [&](std::uint64_t code) { return ((code >> shift) & 7) <= octant; });
-      at = std::uint32_t(next - cells.begin());
-    } else {
-      while (at < range.last && ((cells[at] >> shift) & 7) == octant) ++at;
-    }
-  }
-  bounds[8] = range.last;
-  return bounds;
+// Bit per axis on which the point is on the high side.
+unsigned octant_of(const glm::dvec3& point, const glm::dvec3& centre) {
+  return unsigned(point.x > centre.x) | unsigned(point.y > centre.y) << 1 |
+         unsigned(point.z > centre.z) << 2;
 }
 
-// Walks the octree from the far octants to the near ones and writes a cut through its levels.
-class Walk {
- public:
-  Walk(const TreeModel& model, const Viewpoint& viewpoint, const DrawOptions& options)
-      : model_(model), viewpoint_(viewpoint), options_(options) {
-    cone_cosine_ = std::cos(options.half_angle);
-    cone_sine_ = std::sin(options.half_angle);
-    for (const TreeLevel& level : model.levels) {
-      pickers_.emplace_back(model, level, options.blend);
-      widest_side_ = std::max(widest_side_, double(level.side_factor));
+// Bit per axis on which the point lies strictly between the node's sides.
+unsigned axes_inside(const glm::dvec3& point, const PreparedTree::Node& node) {
+  const glm::dvec3 away = glm::abs(point - node.centre);
+  const double half = 0.5 * node.size_m;
+  return unsigned(away.x < half) | unsigned(away.y < half) << 1 | unsigned(away.z < half) << 2;
+}
+
+void append_merged(const DrawRange& range, std::vector<DrawRange>& ranges) {
+  if (!ranges.empty() && range.split == 0) {
+    DrawRange& last = ranges.back();
+    DrawRange joined = range;
+    joined.first = last.first;
+    joined.count = last.count;
+    const std::uint32_t next = last.backwards ? last.first - last.count : last.first + last.count;
+    if (joined == last && next == range.first) {
+      last.count += range.count;
+      return;
     }
   }
-
-  DrawList list() {
-    CellRanges ranges{};
-    slots_ = std::min(model_.levels.size(), kMostLevels);
-    for (std::size_t slot = 0; slot < slots_; ++slot) {
-      const TreeLevel& level = model_.levels[slot];
-      if (options_.only_level >= 0 && options_.only_level != level.level) continue;
-      if (level.views.empty()) continue;
-      ranges[slot].last = std::uint32_t(level.cells.size());
-    }
-    visit({0, model_.origin + 0.5 * model_.size_m, model_.size_m}, 0, ranges);
-    return std::move(list_);
-  }
-
- private:
-  // `slot` is the first whose level is at least the node's depth.
-  void visit(const Node& node, std::size_t slot, const CellRanges& ranges) {
-    if (outside_cone(node)) return;
-    if (slot < slots_ && model_.levels[slot].level == node.depth) {
-      const bool finer = has_cells(ranges, slot + 1);
-      if (!ranges[slot].empty() && (!finer || small_enough(node, slot))) {
-        draw(node, slot, ranges[slot].first);
-        return;
-      }
-      ++slot;
-    }
-    if (has_cells(ranges, slot)) visit_children(node, slot, ranges);
-  }
-
-  void visit_children(const Node& node, std::size_t slot, const CellRanges& ranges) {
-    std::array<std::array<std::uint32_t, 9>, kMostLevels> bounds;
-    for (std::size_t s = slot; s < slots_; ++s) {
-      const int shift = 3 * (model_.levels[s].level - node.depth - 1);
-      bounds[s] = octant_bounds(model_.levels[s].cells, ranges[s], shift);
-    }
-    // The octant of the eye comes last. Of two octants the one across a plane from the eye cannot
-    // hide the other; counting down over the axes in which an octant differs from the eye's puts it
-    // first.
-    const unsigned eye_octant = unsigned(viewpoint_.eye.x > node.centre.x) |
-                                unsigned(viewpoint_.eye.y > node.centre.y) << 1 |
-                                unsigned(viewpoint_.eye.z > node.centre.z) << 2;
-    for (unsigned step = 8; step-- > 0;) {
-      const unsigned octant = eye_octant ^ step;
-      CellRanges inside;
-      for (std::size_t s = slot; s < slots_; ++s)
-        inside[s] = {bounds[s][octant], bounds[s][octant + 1]};
-      if (has_cells(inside, slot)) visit(child(node, octant), slot, inside);
-    }
-  }
-
-  static Node child(const Node& node, unsigned octant) {
-    const glm::dvec3 side(octant & 1 ? 1.0 : -1.0, octant & 2 ? 1.0 : -1.0,
-                          octant & 4 ? 1.0 : -1.0);
-    return {node.depth + 1, node.centre + side * (0.25 * node.size_m), 0.5 * node.size_m};
-  }
-
-  bool has_cells(const CellRanges& ranges, std::size_t slot) const {
-    for (; slot < slots_; ++slot)
-      if (!ranges[slot].empty()) return true;
-    return false;
-  }
-
-  // By a sphere around the node and the billboards of the cells inside it.
-  bool outside_cone(const Node& node) const {
-    const double radius = node.size_m * (0.8661 + 0.7072 * widest_side_);
-    const glm::dvec3 from_eye = node.centre - viewpoint_.eye;
-    const double along = glm::dot(from_eye, viewpoint_.forward);
-    const double across = std::sqrt(std::max(0.0, glm::dot(from_eye, from_eye) - along * along));
-    return across * cone_cosine_ - along * cone_sine_ > radius;
-  }
-
-  // Planes of equal depth part the levels, as in Linz et al. 2006, section 3.1.
-  bool small_enough(const Node& node, std::size_t slot) const {
-    const double depth = glm::dot(node.centre - viewpoint_.eye, viewpoint_.forward);
-    const double size_px = options_.detail * viewpoint_.focal_px * node.size_m;
-    return size_px <= double(model_.levels[slot].max_cell_px) * depth;
-  }
-
-  void draw(const Node& node, std::size_t slot, std::uint32_t cell) {
-    const TreeLevel& level = model_.levels[slot];
-    const double side_m = node.size_m * double(level.side_factor);
-    const glm::dvec3 from_eye = node.centre - viewpoint_.eye;
-    if (!(glm::dot(from_eye, from_eye) > 0.25 * side_m * side_m)) return;
-    ViewBlend blend = pickers_[slot].pick(node.centre, viewpoint_.eye);
-    if (blend.a >= level.views.size()) return;
-    // A texture is pruned where the cell is hidden from its view: it must not thin the other one.
-    const bool no_a = is_pruned(level, cell, blend.a);
-    const bool no_b = blend.b == blend.a ? no_a : is_pruned(level, cell, blend.b);
-    if (no_a && no_b) return;
-    if (no_a) blend = {blend.b, blend.b, 0.0f};
-    if (no_b) blend = {blend.a, blend.a, 0.0f};
-    list_.push_back({std::uint32_t(slot), cell, blend.a, blend.b, blend.weight_b});
-  }
-
-  const TreeModel& model_;
-  const Viewpoint& viewpoint_;
-  const DrawOptions& options_;
-  std::vector<ViewPicker> pickers_;  // per slot
-  std::size_t slots_ = 0;
-  double widest_side_ = 1.0, cone_cosine_ = 0.0, cone_sine_ = 1.0;
-  DrawList list_;
-};
+  ranges.push_back(range);
+}
 
 }  // namespace
 
-bool is_pruned(const TreeLevel& level, std::uint32_t cell, std::uint32_t view) {
-  const std::size_t blocks = std::size_t(level.texels / 4) * std::size_t(level.texels / 4);
-  const std::size_t first = (std::size_t(cell) * level.views.size() + view) * blocks;
-  return std::all_of(level.alpha_indices.begin() + std::ptrdiff_t(first),
-                     level.alpha_indices.begin() + std::ptrdiff_t(first + blocks),
-                     [](std::uint16_t index) { return index == kPruned; });
+// One eye's way through the nodes, from the far octants to the near ones.
+class RangeWalk {
+ public:
+  RangeWalk(const RangeChooser& chooser, const glm::dvec3& eye, const glm::dvec3& forward,
+            std::uint32_t instance, std::vector<DrawRange>& ranges)
+      : chooser_(chooser),
+        tree_(*chooser.tree_),
+        eye_(eye),
+        forward_(forward),
+        instance_(instance),
+        ranges_(ranges) {}
+
+  void visit(const PreparedTree::Node& node) {
+    const glm::dvec3 from_eye = node.centre - eye_;
+    const double depth = glm::dot(from_eye, forward_);
+    const double beyond_m = beyond_cone(from_eye, depth);
+    const double radius_m =
+        0.8661 * node.size_m + chooser_.reach_ * std::min(node.size_m, chooser_.largest_cell_m_);
+    if (beyond_m > radius_m) return;
+    const double fineness = chooser_.fineness(depth);
+    if (!node.is_leaf() && must_divide(node, depth, fineness, beyond_m > -radius_m)) {
+      // Of two octants the one across a plane from the eye cannot hide the other; counting down
+      // over the axes in which an octant differs from the eye's puts it first.
+      const unsigned near = octant_of(eye_, node.centre);
+      for (unsigned step = 8; step-- > 0;) {
+        const std::int32_t child = node.children[near ^ step];
+        if (child >= 0) visit(tree_.nodes()[std::size_t(child)]);
+      }
+      return;
+    }
+    draw(node, fineness);
+  }
+
+ private:
+  // Distance from the cone's surface, negative inside.
+  double beyond_cone(const glm::dvec3& from_eye, double depth) const {
+    const double across = std::sqrt(std::max(0.0, glm::dot(from_eye, from_eye) - depth * depth));
+    return across * chooser_.cone_cosine_ - depth * chooser_.cone_sine_;
+  }
+
+  // The coarsest cut that may draw a node of this fineness and lies within it.
+  int cut_for(const PreparedTree::Node& node, std::size_t step) const {
+    int cut = chooser_.steps_[step].cut;
+    while (!tree_.run(node, cut).whole) ++cut;
+    return cut;
+  }
+
+  bool must_divide(const PreparedTree::Node& node, double depth, double fineness,
+                   bool cone_cuts) const {
+    const int cut = chooser_.steps_[std::size_t(fineness)].cut;
+    const PreparedTree::Run& run = tree_.run(node, cut);
+    if (!run.whole || node.depth >= tree_.level_of_cut(cut).level - kLevelsOfNode) return false;
+    if (cone_cuts && run.count > kCheapOutside) return true;
+    if (axes_inside(eye_, node) != 0 && run.count > kCheapTwice) return true;
+    const double reach = 0.8661 * node.size_m;
+    return chooser_.fineness(depth - reach) - chooser_.fineness(depth + reach) > kEvenFineness;
+  }
+
+  void draw(const PreparedTree::Node& node, double fineness) {
+    const auto step = std::size_t(fineness);
+    const auto fine_share = float(smooth(fineness - double(step)));
+    const int coarse = cut_for(node, step);
+    const bool pure = fine_share <= 0.0f || step + 1 >= chooser_.steps_.size();
+    const int fine = pure ? coarse : cut_for(node, step + 1);
+    if (coarse == fine) return draw_cut(node, coarse, 1.0f);
+    draw_cut(node, coarse, 1.0f - fine_share);
+    draw_cut(node, fine, fine_share);
+  }
+
+  // Where the eye is between a node's sides, its planes part the node, and the parts see the eye in
+  // different octants. A cell that a plane cuts belongs to the low part, which therefore comes
+  // after the high one.
+  void draw_cut(const PreparedTree::Node& node, int cut, float fade) {
+    const PreparedTree::Run& run = tree_.run(node, cut);
+    if (run.count == 0) return;
+    const unsigned split = run.count > 1 ? axes_inside(eye_, node) : 0;
+    const unsigned fixed = octant_of(eye_, node.centre) & ~split;
+    for (unsigned low = 0;; low = (low - split) & split) {  // through all subsets, ascending
+      append_merged(range_of(run, fixed | low, split, split & ~low, cut, fade), ranges_);
+      if (low == split) break;
+    }
+  }
+
+  DrawRange range_of(const PreparedTree::Run& run, unsigned eye_octant, unsigned split,
+                     unsigned high, int cut, float fade) const {
+    const bool backwards = eye_octant >= 4;
+    DrawRange range;
+    range.instance = instance_;
+    range.first = backwards ? run.first[7 - eye_octant] + run.count - 1 : run.first[eye_octant];
+    range.count = run.count;
+    range.backwards = backwards ? 1 : 0;
+    range.split = std::uint8_t(split);
+    range.high = std::uint8_t(high);
+    range.cut = std::uint8_t(cut);
+    range.fade = fade;
+    return range;
+  }
+
+  const RangeChooser& chooser_;
+  const PreparedTree& tree_;
+  glm::dvec3 eye_, forward_;
+  std::uint32_t instance_;
+  std::vector<DrawRange>& ranges_;
+};
+
+RangeChooser::RangeChooser(const PreparedTree& tree, double focal_px, const DrawOptions& options)
+    : tree_(&tree),
+      cone_cosine_(std::cos(options.half_angle)),
+      cone_sine_(std::sin(options.half_angle)) {
+  double widest_side = 1.0;
+  const double dissolve = std::max(options.dissolve, 1.0);
+  for (int cut = 0; cut < tree.cut_count(); ++cut) {
+    const TreeLevel& level = tree.level_of_cut(cut);
+    widest_side = std::max(widest_side, double(level.side_factor));
+    if (options.only_level >= 0) {
+      if (options.only_level == level.level) steps_ = {{cut, 0.0, 0.0}};
+      continue;
+    }
+    const bool finest = cut + 1 == tree.cut_count();
+    if (!finest && !(level.max_cell_px > 0.0f)) continue;
+    const double cell_m = std::ldexp(tree.model().size_m, -level.level);
+    const double depth =
+        finest ? 0.0 : options.detail * focal_px * cell_m / double(level.max_cell_px);
+    // A level that would not stand alone before the one above is gone is never drawn
+    if (!finest && !steps_.empty() && depth > steps_.back().gone_depth) continue;
+    steps_.push_back({cut, depth, depth / dissolve});
+  }
+  reach_ = 0.7072 * widest_side;
+  if (!steps_.empty())
+    largest_cell_m_ = std::ldexp(tree.model().size_m, -tree.level_of_cut(steps_[0].cut).level);
 }
 
-DrawList make_draw_list(const TreeModel& model, const Viewpoint& viewpoint,
-                        const DrawOptions& options) {
-  return Walk(model, viewpoint, options).list();
+double RangeChooser::fineness(double depth) const {
+  for (std::size_t at = 0; at + 1 < steps_.size(); ++at) {
+    if (depth >= steps_[at].whole_depth) return double(at);
+    if (depth > steps_[at].gone_depth) {
+      return double(at) + std::log(steps_[at].whole_depth / depth) /
+                              std::log(steps_[at].whole_depth / steps_[at].gone_depth);
+    }
+  }
+  return double(steps_.size() - 1);
+}
+
+void RangeChooser::append(const glm::dvec3& eye, const glm::dvec3& forward, std::uint32_t instance,
+                          std::vector<DrawRange>& ranges) const {
+  if (steps_.empty() || tree_->nodes().empty()) return;
+  RangeWalk(*this, eye, forward, instance, ranges).visit(tree_->nodes().front());
+}
+
+double RangeChooser::billboards_at(double depth) const {
+  if (steps_.empty() || tree_->nodes().empty()) return 0.0;
+  const double at = fineness(depth);
+  const auto step = std::size_t(at);
+  const auto count = [&](std::size_t i) {
+    return double(tree_->run(tree_->nodes().front(), steps_[i].cut).count);
+  };
+  return at > double(step) ? count(step) + count(step + 1) : count(step);
+}
+
+std::vector<DrawRange> make_draw_list(const PreparedTree& tree, const Viewpoint& viewpoint,
+                                      const DrawOptions& options) {
+  std::vector<DrawRange> ranges;
+  RangeChooser(tree, viewpoint.focal_px, options)
+      .append(viewpoint.eye, viewpoint.forward, 0, ranges);
+  return ranges;
+}
+
+glm::ivec3 eye_cell(const PreparedTree& tree, const glm::dvec3& eye) {
+  const double side = std::ldexp(1.0, tree.finest_level());
+  const glm::dvec3 cell = (eye - tree.model().origin) * (side / tree.model().size_m);
+  return glm::ivec3(glm::clamp(glm::floor(cell), -1.0, side));
 }
 
 }  // namespace bosk

@@ -46,13 +46,14 @@ Camera framing_camera(const TreeModel& model, const glm::dvec3& eye, int tree_px
   return camera;
 }
 
-Image<glm::vec4> draw_level(const TreeModel& model, const glm::dvec3& eye, int tree_px,
+Image<glm::vec4> draw_level(const PreparedTree& tree, const glm::dvec3& eye, int tree_px,
                             std::size_t slot, Progress& progress) {
   RenderOptions options;
-  options.level = model.levels[slot].level;
+  options.level = tree.model().levels[slot].level;
   progress.check();
   Progress quiet;
-  return render_tree_premultiplied(model, framing_camera(model, eye, tree_px), options, quiet);
+  return render_tree_premultiplied(tree, framing_camera(tree.model(), eye, tree_px), options,
+                                   quiet);
 }
 
 struct SquaredError {
@@ -83,16 +84,17 @@ int truth_width_px(const TreeModel& model) {
 
 using ErrorTable = std::map<int, std::vector<SquaredError>>;  // by tree_px, then slot
 
-void add_errors_of_eye(const TreeModel& model, const glm::dvec3& eye, ErrorTable& table,
+void add_errors_of_eye(const PreparedTree& tree, const glm::dvec3& eye, ErrorTable& table,
                        Progress& progress) {
+  const TreeModel& model = tree.model();
   int tree_px = truth_width_px(model);
-  Image<glm::vec4> truth = draw_level(model, eye, tree_px, model.levels.size() - 1, progress);
+  Image<glm::vec4> truth = draw_level(tree, eye, tree_px, model.levels.size() - 1, progress);
   for (tree_px /= 2; tree_px >= kSmallestTree_px; tree_px /= 2) {
     truth = half_size(truth);
     std::vector<SquaredError>& errors = table[tree_px];
     errors.resize(model.levels.size());
     for (std::size_t slot = 0; slot < model.levels.size(); ++slot)
-      add_error(truth, draw_level(model, eye, tree_px, slot, progress), errors[slot]);
+      add_error(truth, draw_level(tree, eye, tree_px, slot, progress), errors[slot]);
     progress.advance();
   }
 }
@@ -146,7 +148,8 @@ std::vector<LevelError> measure_level_errors(const TreeModel& model,
   const std::vector<glm::dvec3> eyes = eyes_of(model, cameras, options.most_cameras);
   progress.begin("Comparing levels of detail", eyes.size() * scale_count(model));
   ErrorTable table;
-  for (const glm::dvec3& eye : eyes) add_errors_of_eye(model, eye, table, progress);
+  const PreparedTree tree(model);
+  for (const glm::dvec3& eye : eyes) add_errors_of_eye(tree, eye, table, progress);
   std::vector<LevelError> errors;
   for (std::size_t slot = 0; slot < model.levels.size(); ++slot)
     for (const auto& [tree_px, of_slots] : table)

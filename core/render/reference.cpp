@@ -18,7 +18,6 @@ DrawOptions draw_options(const RenderOptions& options) {
   DrawOptions draw;
   draw.detail = options.detail;
   draw.only_level = options.level;
-  draw.blend = options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
   return draw;
 }
 
@@ -81,8 +80,8 @@ class Projector {
 constexpr std::size_t kItemsPerChunk = 8192;
 
 // Splats of all items that reach the picture, in the order of the draw list.
-std::vector<Splat> project_items(const TreeModel& model, const Camera& camera, const DrawList& list,
-                                 Progress& progress) {
+std::vector<Splat> project_items(const TreeModel& model, const Camera& camera,
+                                 const std::vector<DrawItem>& list, Progress& progress) {
   const Projector projector(model, camera);
   const std::size_t chunks = (list.size() + kItemsPerChunk - 1) / kItemsPerChunk;
   std::vector<std::vector<Splat>> parts(chunks);
@@ -198,15 +197,19 @@ Viewpoint viewpoint_of(const Camera& camera) {
   return viewpoint;
 }
 
-Image<glm::vec4> render_tree_premultiplied(const TreeModel& model, const Camera& camera,
+Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camera& camera,
                                            const RenderOptions& options, Progress& progress) {
+  const TreeModel& model = tree.model();
   Image<glm::vec4> image(camera.lens.width_px, camera.lens.height_px, glm::vec4(0.0f));
   if (image.empty() || model.levels.empty()) return image;
   const TileGrid grid{(image.width() + kTile_px - 1) / kTile_px,
                       (image.height() + kTile_px - 1) / kTile_px};
   progress.begin("Drawing " + camera.name, grid.count());
   const TileTexels texels = options.gpu_texels ? gpu_tiles(model.atlas) : exact_tiles(model.atlas);
-  const DrawList list = make_draw_list(model, viewpoint_of(camera), draw_options(options));
+  const Viewpoint viewpoint = viewpoint_of(camera);
+  const BlendRule blend = options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
+  const std::vector<DrawItem> list = draw_items(
+      tree, make_draw_list(tree, viewpoint, draw_options(options)), viewpoint.eye, blend);
   const std::vector<Splat> splats = project_items(model, camera, list, progress);
   const TileBins bins = bin_splats(splats, grid);
   tbb::parallel_for(std::size_t(0), grid.count(), [&](std::size_t index) {
@@ -220,7 +223,7 @@ Image<glm::vec4> render_tree_premultiplied(const TreeModel& model, const Camera&
       const Splat& splat = splats[bins.splats[i]];
       const DrawItem& item = list[splat.item];
       decode_item(model, texels, item, texture);
-      composite_splat(splat, texture, model.levels[item.level_slot].texels, tile);
+      composite_splat(splat, texture, model.levels[item.level_slot].texels, item.fade, tile);
     }
     copy_tile(tile, image);
     progress.advance();
@@ -228,9 +231,9 @@ Image<glm::vec4> render_tree_premultiplied(const TreeModel& model, const Camera&
   return image;
 }
 
-Image<glm::vec4> render_tree(const TreeModel& model, const Camera& camera,
+Image<glm::vec4> render_tree(const PreparedTree& tree, const Camera& camera,
                              const RenderOptions& options, Progress& progress) {
-  Image<glm::vec4> image = render_tree_premultiplied(model, camera, options, progress);
+  Image<glm::vec4> image = render_tree_premultiplied(tree, camera, options, progress);
   for (glm::vec4& pixel : image.pixels()) pixel = straight(pixel);
   return image;
 }

@@ -27,11 +27,11 @@ Viewpoint viewpoint_of(const Camera& camera);
 // back to front in sRGB-encoded values, each placed through the lens by a local affine map and
 // sampled by area; no finished picture is resampled. Billboards whose centre the lens cannot see
 // are left out.
-Image<glm::vec4> render_tree(const TreeModel& model, const Camera& camera,
+Image<glm::vec4> render_tree(const PreparedTree& tree, const Camera& camera,
                              const RenderOptions& options, Progress& progress);
 
 // The same with premultiplied colour: for averaging, as a smaller picture of the tree needs it.
-Image<glm::vec4> render_tree_premultiplied(const TreeModel& model, const Camera& camera,
+Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camera& camera,
                                            const RenderOptions& options, Progress& progress);
 
 }  // namespace bosk

@@ -20,6 +20,13 @@ PixelRange pixels_touched(float centre, float half, int size) {
   return {std::max(0, int(std::ceil(low))), std::min(size - 1, int(std::floor(high)))};
 }
 
+// A premultiplied colour whose opacity a becomes 1 - (1 - a)^fade.
+Float4 faded(Float4 colour, float fade) {
+  if (fade >= 1.0f || !(colour[3] > 0.0f)) return colour;
+  const float clear = std::max(0.0f, 1.0f - colour[3]);
+  return colour * ((1.0f - std::pow(clear, fade)) / colour[3]);
+}
+
 Float4 splat4(float value) { return Float4{value, value, value, value}; }
 
 Float4 clamp4(Float4 x, float low, float high) {
@@ -149,7 +156,7 @@ class AlongX {
 };
 
 // Second pass: down the column, each pixel's mean composited over it.
-void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means, int x,
+void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means, int x, float fade,
                     Tile& tile) {
   const float row_per_px = 1.0f / passes.row_px;
   const float middle = 0.5f * float(passes.rows);
@@ -169,13 +176,14 @@ void filter_along_y(const Passes& passes, const Hats* hats, const Float4* means,
       before[group] = after;
       for (int i = 0; i < 4; ++i) mean += weight[i] * means[4 * group + i];
     }
+    mean = faded(mean, fade);
     Float4& pixel = tile.pixels[y * kTile_px + x];
     pixel = mean + (1.0f - mean[3]) * pixel;
   }
 }
 
 template <int kGroups>
-void composite(const Passes& passes, const Float4* texture, Tile& tile) {
+void composite(const Passes& passes, const Float4* texture, float fade, Tile& tile) {
   Hats row_hats[kMostRows / 4];
   for (int group = 0; group < passes.rows / 4; ++group) row_hats[group] = Hats(group, passes.rows);
   const PixelRange range = pixels_touched(passes.centre.x, passes.half_width, tile.width_px);
@@ -183,13 +191,14 @@ void composite(const Passes& passes, const Float4* texture, Tile& tile) {
   Float4 means[kMostRows];
   for (int x = range.first; x <= range.last; ++x) {
     along_x.means(x, means);
-    filter_along_y(passes, row_hats, means, x, tile);
+    filter_along_y(passes, row_hats, means, x, fade, tile);
   }
 }
 
 }  // namespace
 
-void composite_splat(const Splat& splat, const Float4* texture, int texels, Tile& tile) {
+void composite_splat(const Splat& splat, const Float4* texture, int texels, float fade,
+                     Tile& tile) {
   const bool exchanged = std::abs(splat.across_px.x) < std::abs(splat.down_px.x);
   const Passes passes = passes_of(splat, texels, exchanged, tile);
   if (passes.degenerate) return;
@@ -199,9 +208,9 @@ void composite_splat(const Splat& splat, const Float4* texture, int texels, Tile
     texture = split.texels;
   }
   if (texels == 4)
-    composite<1>(passes, texture, tile);
+    composite<1>(passes, texture, fade, tile);
   else
-    composite<2>(passes, texture, tile);
+    composite<2>(passes, texture, fade, tile);
 }
 
 }  // namespace bosk

@@ -28,12 +28,12 @@ struct Tile {
   Float4 pixels[kTile_px * kTile_px];
 };
 
-// Draws the splat over what the tile holds. `texture`: texels x texels, premultiplied, row by row;
-// texels is 4 or 8. Each pixel gets the mean, over its own area, of the texture interpolated
-// linearly between texel centres, held constant beyond the outer ones and transparent outside the
-// square: so a splat of any size and place adds the same opacity in all as its texture holds. A
-// turned splat is filtered along one axis after the other (two passes with shear, after Catmull and
-// Smith 1980).
-void composite_splat(const Splat& splat, const Float4* texture, int texels, Tile& tile);
+// Draws the splat over what the tile holds, with opacities a of 1 - (1 - a)^fade. `texture`: texels
+// x texels, premultiplied, row by row; texels is 4 or 8. Each pixel gets the mean, over its own
+// area, of the texture interpolated linearly between texel centres, held constant beyond the outer
+// ones and transparent outside the square: so a splat of any size and place adds the same opacity
+// in all as its texture holds. A turned splat is filtered along one axis after the other (two
+// passes with shear, after Catmull and Smith 1980).
+void composite_splat(const Splat& splat, const Float4* texture, int texels, float fade, Tile& tile);
 
 }  // namespace bosk

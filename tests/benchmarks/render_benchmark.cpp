@@ -38,8 +38,12 @@ Camera camera_at(double roll) {
 
 void list_cells(benchmark::State& state) {
   const TreeModel model = big_ball(int(state.range(0)), 2, 24, 4);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(make_draw_list(model, viewpoint_of(camera_at(0)), {}));
+  const PreparedTree tree(model);
+  const Viewpoint viewpoint = viewpoint_of(camera_at(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        draw_items(tree, make_draw_list(tree, viewpoint, {}), viewpoint.eye, BlendRule::fading));
+  }
   state.counters["billboards"] = double(model.levels[0].cells.size());
 }
 BENCHMARK(list_cells)->Arg(6)->Arg(7)->Unit(benchmark::kMillisecond);
@@ -51,7 +55,8 @@ void draw_tree(benchmark::State& state) {
   camera.lens.model = LensModel::opencv;
   camera.lens.distortion = {-0.1, 0.02};
   Progress quiet;
-  for (auto _ : state) benchmark::DoNotOptimize(render_tree(model, camera, {}, quiet));
+  const PreparedTree tree(model);
+  for (auto _ : state) benchmark::DoNotOptimize(render_tree(tree, camera, {}, quiet));
   state.counters["billboards"] = double(model.levels[0].cells.size());
 }
 BENCHMARK(draw_tree)

@@ -19,6 +19,21 @@ DrawOptions everything() {
   return options;
 }
 
+// Back to front, as a renderer without a GPU draws it.
+std::vector<DrawItem> list_of(const TreeModel& model, const Viewpoint& viewpoint,
+                              const DrawOptions& options) {
+  const PreparedTree tree(model);
+  return draw_items(tree, make_draw_list(tree, viewpoint, options), viewpoint.eye,
+                    BlendRule::fading);
+}
+
+// Levels replace each other at once, so that each cell is drawn once.
+DrawOptions at_once() {
+  DrawOptions options = everything();
+  options.dissolve = 1.0;
+  return options;
+}
+
 Box cell_box(const TreeModel& model, const DrawItem& item) {
   const TreeLevel& level = model.levels[item.level_slot];
   const glm::dvec3 centre = cell_centre_in_world(model, level.level, level.cells[item.cell]);
@@ -27,7 +42,7 @@ Box cell_box(const TreeModel& model, const DrawItem& item) {
 }
 
 // Number of drawn cells that hold each finest cell.
-std::vector<int> times_drawn(const TreeModel& model, const DrawList& list) {
+std::vector<int> times_drawn(const TreeModel& model, const std::vector<DrawItem>& list) {
   const TreeLevel& finest = model.levels.back();
   std::vector<int> times(finest.cells.size(), 0);
   for (const DrawItem& item : list) {
@@ -62,46 +77,101 @@ TEST(BillboardAxes, FollowTheContractAlsoStraightUpAndDown) {
   EXPECT_NEAR(glm::distance(tilted.up, glm::cross(tilted.right, forward)), 0, 1e-12);
 }
 
-// The slow truth: along many rays from the eye, cells sorted by where the ray enters them.
-TEST(DrawList, DrawsFarCellsFirstFromOutsideAndInsideTheCrown) {
-  TreeModel model = toy::random_ball(3);
+// Whether a ray from the eye may meet `front` before `back`: along no axis in which the two lie
+// apart is the eye on the side of `back`.
+bool may_hide(const Box& front, const Box& back, const glm::dvec3& eye) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (back.upper[axis] <= front.lower[axis] && eye[axis] <= front.lower[axis]) return false;
+    if (back.lower[axis] >= front.upper[axis] && eye[axis] >= front.upper[axis]) return false;
+  }
+  return true;
+}
+
+glm::dvec3 random_eye(std::mt19937& random, int trial) {
+  std::normal_distribution<double> normal;
+  const double reach = trial % 3 == 0 ? 3.0 : 0.5;
+  glm::dvec3 eye(normal(random), normal(random), normal(random));
+  eye = glm::dvec3(0, 0, 1) + reach * eye;
+  if (trial % 5 == 0) eye = glm::round(eye * 16.0) / 16.0;  // in the planes between cells
+  return eye;
+}
+
+// The slow truth: every pair of cells, parted by the planes between them.
+TEST(DrawList, DrawsFarCellsFirstFromTenThousandEyes) {
+  TreeModel model = toy::sparse_ball(3);
   model.levels[0].max_cell_px = 20;
   model.levels[1].max_cell_px = 30;
+  const PreparedTree tree(model);
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
-  std::size_t compared = 0;
-  for (int trial = 0; trial < 30; ++trial) {
+  std::size_t hidden = 0;
+  for (int trial = 0; trial < 10000; ++trial) {
     Viewpoint viewpoint;
-    const double reach = trial % 3 == 0 ? 3.0 : 0.5;
-    viewpoint.eye =
-        glm::dvec3(0, 0, 1) + reach * glm::dvec3(normal(random), normal(random), normal(random));
-    if (trial == 1) viewpoint.eye = {0.0, 0.0, 1.0};  // in the planes between octants
+    viewpoint.eye = random_eye(random, trial);
     viewpoint.forward = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
     viewpoint.focal_px = 300;
-    const DrawList list = make_draw_list(model, viewpoint, everything());
-    for (int shot = 0; shot < 40; ++shot) {
-      const glm::dvec3 direction(normal(random), normal(random), normal(random));
-      const Ray ray{viewpoint.eye, glm::normalize(direction)};
-      std::vector<std::pair<double, std::size_t>> entered;
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (const auto span = intersect(ray, cell_box(model, list[i])))
-          if (span->leave - span->enter > 1e-9) entered.emplace_back(span->enter, i);
-      std::sort(entered.begin(), entered.end());
-      for (std::size_t i = 1; i < entered.size(); ++i, ++compared)
-        ASSERT_GT(entered[i - 1].second, entered[i].second) << "trial " << trial;
+    const std::vector<DrawRange> ranges = make_draw_list(tree, viewpoint, at_once());
+    std::vector<Box> boxes;
+    for (const DrawItem& item : draw_items(tree, ranges, viewpoint.eye, BlendRule::fading))
+      boxes.push_back(cell_box(model, item));
+    for (std::size_t late = 0; late < boxes.size(); ++late) {
+      for (std::size_t early = 0; early < late; ++early) {
+        ASSERT_FALSE(may_hide(boxes[early], boxes[late], viewpoint.eye)) << "trial " << trial;
+        hidden += may_hide(boxes[late], boxes[early], viewpoint.eye) ? 1 : 0;
+      }
     }
   }
-  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(hidden, 1000000u);
+}
+
+TEST(DrawList, NeedsNoMoreThanAHandfulOfRangesFromAfar) {
+  TreeModel model = toy::random_ball(12);
+  const PreparedTree tree(model);
+  const auto ranges = [&](const glm::dvec3& eye) {
+    return make_draw_list(tree, {eye, glm::normalize(glm::dvec3(0, 0, 1) - eye), 100}, everything())
+        .size();
+  };
+  EXPECT_EQ(ranges({30, 40, 50}), 1u);  // beyond all planes: one order of octants
+  EXPECT_LE(ranges({30, 40, 1.0}),
+            12u);  // level with the crown: its nodes at that height in halves
+}
+
+TEST(DrawList, DissolvesEachLevelIntoTheNext) {
+  TreeModel model = toy::random_ball(13);
+  model.levels[0].max_cell_px = model.levels[1].max_cell_px = 6.0f;
+  const PreparedTree tree(model);
+  DrawOptions options = everything();
+  options.dissolve = 1.5;
+  const double cell_m = cell_size_m(model, 4);
+  const double whole_m = 100.0 * cell_m / 6.0;  // depth at which level 4 stands alone
+  double last_fade = 1.0;
+  for (const double nearer : {1.0, 0.9, 0.8, 0.7}) {
+    // A tree so far off, drawn so much larger, that all of it lies at one depth
+    const double far = 1000.0, focal_px = 100.0 * far / (whole_m * nearer);
+    const auto ranges = make_draw_list(tree, {{0, -far, 1}, {0, 1, 0}, focal_px}, options);
+    double coarse = 0.0, fine = 0.0;
+    for (const DrawRange& range : ranges) {
+      (range.cut == 1 ? coarse : fine) = range.fade;
+      EXPECT_NE(range.cut, 0);
+    }
+    if (nearer == 1.0) {
+      EXPECT_EQ(fine, 0.0);
+    } else {
+      EXPECT_NEAR(coarse + fine, 1.0, 1e-6);
+      EXPECT_LT(coarse, last_fade);
+    }
+    last_fade = coarse;
+  }
 }
 
 TEST(DrawList, CoversEveryFinestCellOnceAtEveryMixOfLevels) {
-  TreeModel model = toy::random_ball(5);
+  TreeModel model = toy::fine_ball(5);
   std::set<std::size_t> mixes;
-  for (const float limit : {0.0f, 10.0f, 14.0f, 1000.0f}) {
+  for (const float limit : {0.0f, 1.8f, 2.4f, 3.5f, 1000.0f}) {
     model.levels[0].max_cell_px = limit;
     model.levels[1].max_cell_px = 0.6f * limit;
     Viewpoint viewpoint{{0.3, -3.0, 1.2}, {0, 1, 0}, 120.0};
-    const DrawList list = make_draw_list(model, viewpoint, everything());
+    const std::vector<DrawItem> list = list_of(model, viewpoint, at_once());
     const std::vector<int> times = times_drawn(model, list);
     EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
     std::set<std::uint32_t> slots;
@@ -125,8 +195,7 @@ TEST(DrawList, CoversEveryFinestCellWhenLevelsLackCellsOrAreSkipped) {
   const Viewpoint viewpoint{{0.3, -3.0, 1.2}, {0, 1, 0}, 120.0};
   for (int skipped = 0; skipped < 2; ++skipped) {
     if (skipped) model.levels.erase(model.levels.begin() + 1);  // a level between is absent
-    const std::vector<int> times =
-        times_drawn(model, make_draw_list(model, viewpoint, everything()));
+    const std::vector<int> times = times_drawn(model, list_of(model, viewpoint, at_once()));
     EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
   }
 }
@@ -136,15 +205,15 @@ TEST(DrawList, DrawsACoarseCellThatHasNothingFinerBelow) {
   for (std::size_t slot = 1; slot < 3; ++slot)
     model.levels[slot] = toy::make_level(model.levels[slot].level, 4, 1.3f, {}, 8,
                                          [](auto...) { return std::uint16_t(1); });
-  const DrawList list = make_draw_list(model, {{0, -3, 1}, {0, 1, 0}, 120.0}, everything());
+  const std::vector<DrawItem> list = list_of(model, {{0, -3, 1}, {0, 1, 0}, 120.0}, everything());
   EXPECT_EQ(list.size(), model.levels[0].cells.size());
 }
 
 TEST(DrawList, RefinesUntilTheCellsAreSmallEnoughOnScreen) {
-  TreeModel model = toy::random_ball(8);
+  TreeModel model = toy::fine_ball(8);
   model.levels[0].max_cell_px = model.levels[1].max_cell_px = 6.0f;
   const Viewpoint viewpoint{{0, -4, 1}, {0, 1, 0}, 100.0};
-  for (const DrawItem& item : make_draw_list(model, viewpoint, everything())) {
+  for (const DrawItem& item : list_of(model, viewpoint, everything())) {
     const glm::dvec3 centre = cell_box(model, item).centre();
     const double px =
         100.0 * cell_size_m(model, model.levels[item.level_slot].level) / (centre.y + 4);
@@ -161,18 +230,18 @@ TEST(DrawList, DrawsOneLevelAloneWhenAsked) {
   const TreeModel model = toy::random_ball(9);
   DrawOptions options = everything();
   options.only_level = 4;
-  const DrawList list = make_draw_list(model, {{0, -4, 1}, {0, 1, 0}, 1e6}, options);
+  const std::vector<DrawItem> list = list_of(model, {{0, -4, 1}, {0, 1, 0}, 1e6}, options);
   EXPECT_EQ(list.size(), model.levels[1].cells.size());
   for (const DrawItem& item : list) ASSERT_EQ(item.level_slot, 1u);
   options.only_level = 9;
-  EXPECT_TRUE(make_draw_list(model, {{0, -4, 1}, {0, 1, 0}, 1e6}, options).empty());
+  EXPECT_TRUE(list_of(model, {{0, -4, 1}, {0, 1, 0}, 1e6}, options).empty());
 }
 
 TEST(DrawList, LeavesOutOnlyWhatLiesBehindTheEye) {
-  const TreeModel model = toy::random_ball(10);
+  const TreeModel model = toy::random_ball_of(10, 4, 2, 7, 8);
   const Viewpoint viewpoint{{0.1, 0.05, 1.0}, {0, 1, 0}, 300.0};
-  const DrawList all = make_draw_list(model, viewpoint, everything());
-  const DrawList ahead = make_draw_list(model, viewpoint, DrawOptions{});
+  const std::vector<DrawItem> all = list_of(model, viewpoint, everything());
+  const std::vector<DrawItem> ahead = list_of(model, viewpoint, DrawOptions{});
   EXPECT_LT(ahead.size(), all.size() * 3 / 4);
   std::size_t in_front = 0, kept = 0;
   for (const DrawItem& item : all) in_front += cell_box(model, item).centre().y > 0.05;
@@ -182,18 +251,18 @@ TEST(DrawList, LeavesOutOnlyWhatLiesBehindTheEye) {
 
 TEST(DrawList, LeavesOutTheCellThatHoldsTheEye) {
   const TreeModel model = toy::one_billboard();
-  EXPECT_TRUE(make_draw_list(model, {{0, -0.99, 1}, {0, 1, 0}, 100}, everything()).empty());
-  EXPECT_EQ(make_draw_list(model, {{0, -1.01, 1}, {0, 1, 0}, 100}, everything()).size(), 1u);
-  EXPECT_TRUE(make_draw_list(model, {{0, 0, 1}, {0, 1, 0}, 100}, everything()).empty());
+  EXPECT_TRUE(list_of(model, {{0, -0.99, 1}, {0, 1, 0}, 100}, everything()).empty());
+  EXPECT_EQ(list_of(model, {{0, -1.01, 1}, {0, 1, 0}, 100}, everything()).size(), 1u);
+  EXPECT_TRUE(list_of(model, {{0, 0, 1}, {0, 1, 0}, 100}, everything()).empty());
 }
 
 TEST(DrawList, IsEmptyForATreeWithoutLevelsCellsOrViews) {
   TreeModel model;
-  EXPECT_TRUE(make_draw_list(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
+  EXPECT_TRUE(list_of(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
   model.levels.resize(1);
-  EXPECT_TRUE(make_draw_list(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
+  EXPECT_TRUE(list_of(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
   model.levels[0].cells = {0};
-  EXPECT_TRUE(make_draw_list(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
+  EXPECT_TRUE(list_of(model, {{0, -4, 1}, {0, 1, 0}, 100}, everything()).empty());
 }
 
 TEST(DrawList, SkipsPrunedBillboardsAndLetsTheVisibleViewStandAlone) {
@@ -204,7 +273,7 @@ TEST(DrawList, SkipsPrunedBillboardsAndLetsTheVisibleViewStandAlone) {
       return (pruned >> view) & 1 ? kPruned : std::uint16_t(0);
     })};
     // Between view 0 and view 1, nearer to view 0
-    const DrawList list = make_draw_list(model, {{9, 5, 1}, {-1, 0, 0}, 100}, everything());
+    const std::vector<DrawItem> list = list_of(model, {{9, 5, 1}, {-1, 0, 0}, 100}, everything());
     if (pruned == 3) {
       EXPECT_TRUE(list.empty());
       continue;

@@ -15,7 +15,7 @@ namespace {
 
 Image<glm::vec4> draw(const TreeModel& model, const Camera& camera, RenderOptions options = {}) {
   Progress quiet;
-  return render_tree(model, camera, options, quiet);
+  return render_tree(PreparedTree(model), camera, options, quiet);
 }
 
 Camera bent(Camera camera) {
@@ -241,7 +241,8 @@ TEST(ReferenceRenderer, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   const Camera camera = toy::look_at({0, -4, 1.5}, {0, 0, 1}, 200, 130, 100);
-  EXPECT_THROW(render_tree(toy::random_ball(16), camera, {}, progress), Cancelled);
+  const TreeModel model = toy::random_ball(16);
+  EXPECT_THROW(render_tree(PreparedTree(model), camera, {}, progress), Cancelled);
 }
 
 TEST(ReferenceRenderer, IgnoresCodewordsOutsideTheAtlas) {

@@ -60,7 +60,10 @@ inline Image<glm::vec4> slow_render(const TreeModel& model, const Camera& camera
   DrawOptions options;
   options.only_level = only_level;
   const TileTexels tiles = exact_tiles(model.atlas);
-  for (const DrawItem& item : make_draw_list(model, viewpoint_of(camera), options)) {
+  const PreparedTree tree(model);
+  const Viewpoint viewpoint = viewpoint_of(camera);
+  for (const DrawItem& item : draw_items(tree, make_draw_list(tree, viewpoint, options),
+                                         viewpoint.eye, BlendRule::fading)) {
     const TreeLevel& level = model.levels[item.level_slot];
     const glm::dvec3 centre = cell_centre_in_world(model, level.level, level.cells[item.cell]);
     const BillboardAxes axes = billboard_axes(centre, camera.centre_in_world());

@@ -41,7 +41,7 @@ Image<glm::vec4> drawn(const Splat& splat, const std::vector<Float4>& texture, i
     tile->left_px = (t % 3) * kTile_px;
     tile->top_px = (t / 3) * kTile_px;
     tile->width_px = tile->height_px = kTile_px;
-    composite_splat(splat, texture.data(), texels, *tile);
+    composite_splat(splat, texture.data(), texels, 1.0f, *tile);
     for (int y = 0; y < kTile_px; ++y)
       for (int x = 0; x < kTile_px; ++x) {
         const Float4 p = tile->pixels[y * kTile_px + x];

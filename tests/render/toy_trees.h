@@ -86,8 +86,9 @@ inline TreeModel one_billboard(int texels = 4) {
   return model;
 }
 
-// Levels 3, 4 and 5 of random cells in a ball; every parent of a cell is there.
-inline TreeModel random_ball(unsigned seed, int texels = 4, int views = 8) {
+// Three levels, `finest` and the two above, of random cells in a ball, one in `rarity`; every
+// parent of a cell is there.
+inline TreeModel random_ball_of(unsigned seed, int texels, int views, int finest, unsigned rarity) {
   TreeModel model;
   model.origin = {-1.0, -1.0, 0.0};
   model.size_m = 2.0;
@@ -95,11 +96,12 @@ inline TreeModel random_ball(unsigned seed, int texels = 4, int views = 8) {
   model.atlas = noise_atlas(seed);
   std::mt19937 random(seed);
   std::vector<std::uint64_t> cells;
-  for (std::uint64_t code = 0; code < 32 * 32 * 32; ++code) {
-    const glm::dvec3 at = (glm::dvec3(cell_from_morton(code)) + 0.5) / 16.0 - 1.0;
-    if (glm::length(at) < 0.9 && random() % 4 == 0) cells.push_back(code);
+  for (std::uint64_t code = 0; code < std::uint64_t(1) << (3 * finest); ++code) {
+    const glm::dvec3 at =
+        std::ldexp(1.0, 1 - finest) * (glm::dvec3(cell_from_morton(code)) + 0.5) - 1.0;
+    if (glm::length(at) < 0.9 && random() % rarity == 0) cells.push_back(code);
   }
-  for (int level = 5; level >= 3; --level) {
+  for (int level = finest; level > finest - 3; --level) {
     auto code = [&](auto...) { return std::uint16_t(random() % 256); };
     model.levels.insert(model.levels.begin(),
                         make_level(level, texels, 1.3f, cells, std::uint32_t(views), code));
@@ -108,6 +110,18 @@ inline TreeModel random_ball(unsigned seed, int texels = 4, int views = 8) {
   }
   return model;
 }
+
+// Levels 3, 4 and 5, thousands of finest cells.
+inline TreeModel random_ball(unsigned seed, int texels = 4, int views = 8) {
+  return random_ball_of(seed, texels, views, 5, 4);
+}
+
+// Levels 3, 4 and 5, about 100 finest cells.
+inline TreeModel sparse_ball(unsigned seed) { return random_ball_of(seed, 4, 8, 5, 128); }
+
+// Levels 5, 6 and 7, about 3,000 finest cells: levels are chosen for an eighth of its width at
+// once.
+inline TreeModel fine_ball(unsigned seed) { return random_ball_of(seed, 4, 8, 7, 256); }
 
 // A pinhole at `eye` that looks at `target`, upright unless rolled about its axis.
 inline Camera look_at(const glm::dvec3& eye, const glm::dvec3& target, double focal_px, int width,
