@@ -62,8 +62,9 @@ class RangeWalk {
     const double radius_m =
         0.8661 * node.size_m + chooser_.reach_ * std::min(node.size_m, chooser_.largest_cell_m_);
     if (beyond_m > radius_m) return;
-    const double fineness = chooser_.fineness(depth);
-    if (!node.is_leaf() && must_divide(node, depth, fineness, beyond_m > -radius_m)) {
+    const double level_m = level_depth(from_eye, forward_);
+    const double fineness = chooser_.fineness(level_m);
+    if (!node.is_leaf() && must_divide(node, level_m, fineness, beyond_m > -radius_m)) {
       // Of two octants the one across a plane from the eye cannot hide the other; counting down
       // over the axes in which an octant differs from the eye's puts it first.
       const unsigned near = octant_of(eye_, node.centre);
@@ -147,6 +148,10 @@ class RangeWalk {
   std::uint32_t instance_;
   std::vector<DrawRange>& ranges_;
 };
+
+double level_depth(const glm::dvec3& from_eye, const glm::dvec3& forward) {
+  return std::max(glm::dot(from_eye, forward), 0.5 * glm::length(from_eye));
+}
 
 RangeChooser::RangeChooser(const PreparedTree& tree, double focal_px, const DrawOptions& options)
     : tree_(&tree),

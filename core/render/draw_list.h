@@ -49,6 +49,10 @@ struct DrawRange {
   bool operator==(const DrawRange&) const = default;
 };
 
+// The depth that levels are chosen by: along `forward` (unit length), but at least half the
+// distance, so that it also means something beside and behind the eye.
+double level_depth(const glm::dvec3& from_eye, const glm::dvec3& forward);
+
 // Chooses ranges of one tree, for any number of its instances.
 class RangeChooser {
  public:

@@ -1,6 +1,8 @@
 #include "core/render/forest.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -29,19 +31,36 @@ void check(const TreeInstance& instance, std::size_t number, std::size_t trees) 
     throw Error(name + ": its place and turn must be finite numbers");
 }
 
-// Of the cells' box and what billboards reach out of it.
-double crown_radius(const PreparedTree& tree) {
+// Of billboards from their cells' middles.
+double billboard_reach_m(const PreparedTree& tree) {
   double reach_m = 0.0;
   for (int cut = 0; cut < tree.cut_count(); ++cut) {
     const TreeLevel& level = tree.level_of_cut(cut);
     const double cell_m = std::ldexp(tree.model().size_m, -level.level);
     reach_m = std::max(reach_m, 0.7072 * cell_m * double(level.side_factor));
   }
-  return 0.5 * glm::length(tree.upper() - tree.lower()) + reach_m;
+  return reach_m;
 }
 
-double sphere_reach(const glm::dvec3& lower, const glm::dvec3& upper) {
-  return 0.5 * glm::length(upper - lower);
+// Numbers of the instances in the low half, and what they are ordered by in the high one: floats
+// that are not negative order as their bits do.
+std::uint64_t key_of(double power, std::uint32_t instance) {
+  const auto value = float(std::max(power, 0.0));
+  return std::uint64_t(std::bit_cast<std::uint32_t>(value)) << 32 | instance;
+}
+
+// Descending by the high half; instances of one power keep their order. Radix sort.
+void sort_far_first(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
+  constexpr int kDigit = 11;
+  constexpr std::uint64_t kMask = (1 << kDigit) - 1;
+  spare.resize(keys.size());
+  for (int shift = 32; shift < 64; shift += kDigit) {
+    std::array<std::uint32_t, kMask + 2> first{};
+    for (const std::uint64_t key : keys) ++first[kMask - (key >> shift & kMask) + 1];
+    for (std::size_t digit = 1; digit < first.size(); ++digit) first[digit] += first[digit - 1];
+    for (const std::uint64_t key : keys) spare[first[kMask - (key >> shift & kMask)]++] = key;
+    keys.swap(spare);
+  }
 }
 
 class Cone {
@@ -77,37 +96,6 @@ glm::dvec3 world_from_tree(const TreeInstance& instance, const glm::dvec3& point
          instance.place;
 }
 
-// Lists the instances in the cone, far groves first.
-class GroveWalk {
- public:
-  GroveWalk(const Forest& forest, const Viewpoint& viewpoint, double half_angle,
-            std::vector<std::uint32_t>& instances)
-      : forest_(forest), eye_(viewpoint.eye), cone_(viewpoint, half_angle), instances_(instances) {}
-
-  void visit(std::int32_t number) {
-    const Forest::Grove& grove = forest_.groves_[std::size_t(number)];
-    const glm::dvec3 centre = 0.5 * (grove.lower + grove.upper);
-    if (cone_.misses(centre, sphere_reach(grove.lower, grove.upper))) return;
-    if (grove.low < 0) {
-      for (std::uint32_t i = grove.first; i < grove.last; ++i) {
-        const std::uint32_t instance = forest_.by_place_[i];
-        const Forest::Stand& stand = forest_.stands_[instance];
-        if (!cone_.misses(stand.centre, stand.radius)) instances_.push_back(instance);
-      }
-      return;
-    }
-    const bool eye_is_high = eye_[grove.axis] > grove.plane;
-    visit(eye_is_high ? grove.low : grove.high);
-    visit(eye_is_high ? grove.high : grove.low);
-  }
-
- private:
-  const Forest& forest_;
-  glm::dvec3 eye_;
-  Cone cone_;
-  std::vector<std::uint32_t>& instances_;
-};
-
 Forest::Forest(std::vector<std::shared_ptr<const PreparedTree>> trees,
                std::vector<TreeInstance> instances)
     : trees_(std::move(trees)), instances_(std::move(instances)) {
@@ -115,58 +103,30 @@ Forest::Forest(std::vector<std::shared_ptr<const PreparedTree>> trees,
     const TreeInstance& instance = instances_[i];
     check(instance, i, trees_.size());
     const PreparedTree& tree = *trees_[instance.tree];
-    stands_.push_back({world_from_tree(instance, 0.5 * (tree.lower() + tree.upper())),
-                       instance.scale * crown_radius(tree), std::cos(instance.turn),
+    const glm::dvec3 half = 0.5 * (tree.upper() - tree.lower());
+    stands_.push_back({world_from_tree(instance, tree.lower() + half),
+                       instance.scale * (glm::length(half) + billboard_reach_m(tree)),
+                       instance.scale * 0.5 * (half.x + half.y), std::cos(instance.turn),
                        std::sin(instance.turn)});
-    by_place_.push_back(std::uint32_t(i));
+    largest_radius_m_ = std::max(largest_radius_m_, stands_.back().crown_radius_m);
   }
-  if (!instances_.empty()) add_grove(0, std::uint32_t(instances_.size()));
 }
 
-std::int32_t Forest::add_grove(std::uint32_t first, std::uint32_t last) {
-  const auto number = std::int32_t(groves_.size());
-  groves_.emplace_back();
-  Grove grove;
-  grove.first = first;
-  grove.last = last;
-  glm::dvec2 least(std::numeric_limits<double>::infinity()), most(-least);
-  grove.lower = glm::dvec3(std::numeric_limits<double>::infinity());
-  grove.upper = -grove.lower;
-  for (std::uint32_t i = first; i < last; ++i) {
-    const std::uint32_t instance = by_place_[i];
-    const Stand& stand = stands_[instance];
-    grove.lower = glm::min(grove.lower, stand.centre - stand.radius);
-    grove.upper = glm::max(grove.upper, stand.centre + stand.radius);
-    least = glm::min(least, glm::dvec2(instances_[instance].place));
-    most = glm::max(most, glm::dvec2(instances_[instance].place));
+void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
+                            ForestDrawList& list) const {
+  const Cone cone(viewpoint, half_angle);
+  list.keys.clear();
+  for (std::uint32_t i = 0; i < stands_.size(); ++i) {
+    const Stand& stand = stands_[i];
+    if (cone.misses(stand.centre, stand.reach_m)) continue;
+    const glm::dvec2 away = glm::dvec2(stand.centre) - glm::dvec2(viewpoint.eye);
+    // Powers are negative within a crown, at least -radius^2: shifted, so that they order as floats
+    const double power = glm::dot(away, away) - stand.crown_radius_m * stand.crown_radius_m;
+    list.keys.push_back(key_of(power + largest_radius_m_ * largest_radius_m_, i));
   }
-  grove.axis = most.x - least.x >= most.y - least.y ? 0 : 1;
-  if (most[grove.axis] > least[grove.axis]) {
-    const auto coordinate = [&](std::uint32_t i) { return instances_[i].place[grove.axis]; };
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-      return coordinate(a) < coordinate(b);
-    };
-    std::uint32_t middle = (first + last) / 2;
-    const auto begin = by_place_.begin();
-    std::nth_element(begin + first, begin + middle, begin + last, before);
-    const double upper = coordinate(by_place_[middle]);
-    // All below the plane are strictly below, else those in the middle's place go up with it
-    const auto parted = std::partition(begin + first, begin + last,
-                                       [&](std::uint32_t i) { return coordinate(i) < upper; });
-    middle = std::uint32_t(parted - begin);
-    if (middle == first) {  // half of them or more share the least place
-      const auto above = std::partition(begin + first, begin + last,
-                                        [&](std::uint32_t i) { return coordinate(i) <= upper; });
-      middle = std::uint32_t(above - begin);
-    }
-    const auto last_low = *std::max_element(begin + first, begin + middle, before);
-    const auto first_high = *std::min_element(begin + middle, begin + last, before);
-    grove.plane = 0.5 * (coordinate(last_low) + coordinate(first_high));
-    grove.low = add_grove(first, middle);
-    grove.high = add_grove(middle, last);
-  }
-  groves_[std::size_t(number)] = grove;
-  return number;
+  sort_far_first(list.keys, list.spare_keys);
+  list.instances.clear();
+  for (const std::uint64_t key : list.keys) list.instances.push_back(std::uint32_t(key));
 }
 
 // Trees of one kind at about the same depth are counted once; then the interval of details is
@@ -177,8 +137,8 @@ double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& 
   std::map<std::pair<std::uint32_t, int>, double> trees_at;  // kind and octave step -> how many
   for (const std::uint32_t i : instances) {
     const Stand& stand = stands_[i];
-    const double depth = glm::dot(stand.centre - viewpoint.eye, viewpoint.forward);
-    const double in_tree = std::max(depth, 0.5 * stand.radius) / instances_[i].scale;
+    const double depth = level_depth(stand.centre - viewpoint.eye, viewpoint.forward);
+    const double in_tree = std::max(depth, 0.5 * stand.crown_radius_m) / instances_[i].scale;
     trees_at[{instances_[i].tree, int(std::floor(kDepthsPerOctave * std::log2(in_tree)))}] += 1.0;
   }
   const auto billboards = [&](double detail) {
@@ -207,11 +167,9 @@ double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& 
 void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, std::uint64_t budget,
                        ForestDrawList& list) const {
   list.ranges.clear();
-  list.instances.clear();
   list.by_level.clear();
   list.billboards = 0;
-  if (groves_.empty()) return;
-  GroveWalk(*this, viewpoint, options.half_angle, list.instances).visit(0);
+  list_instances(viewpoint, options.half_angle, list);
   DrawOptions afforded = options;
   afforded.detail = list.detail = affordable_detail(viewpoint, options, budget, list.instances);
   std::vector<RangeChooser> choosers;
@@ -225,6 +183,7 @@ void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, s
     choosers[instance.tree].append(eye, forward, i, list.ranges);
   }
   for (const DrawRange& range : list.ranges) {
+    if (range.high != 0) continue;  // the cells of a divided node are counted with its lowest part
     const PreparedTree& tree = *trees_[instances_[range.instance].tree];
     const auto level = std::size_t(tree.level_of_cut(range.cut).level);
     if (list.by_level.size() <= level) list.by_level.resize(level + 1);
