@@ -16,6 +16,7 @@ namespace bosk {
 namespace {
 
 constexpr double kBakingShare = 0.7;  // of a level's time, beside pruning: for the progress
+constexpr int kLevelsOfCube = 5;      // a cube is baked from a volume with 2^5 cells along its edge
 constexpr float kCubeSide =
     1.5f;  // a cube seen from any side up to 30 degrees above fits the square
 
@@ -95,8 +96,8 @@ std::vector<std::uint32_t> all_of(const std::vector<glm::dvec3>& views) {
   return all;
 }
 
-// Textures towards all views.
-BillboardLevel cubes_of(const RadianceVolume& volume, const VolumeSampler& sampler, int number,
+// Textures towards all views, baked from `source`: `volume` or a coarser one.
+BillboardLevel cubes_of(const RadianceVolume& volume, const RadianceVolume& source, int number,
                         const std::vector<glm::dvec3>& views, const BillboardOptions& options,
                         Progress& progress) {
   BillboardLevel level;
@@ -106,7 +107,7 @@ BillboardLevel cubes_of(const RadianceVolume& volume, const VolumeSampler& sampl
   level.views = all_of(views);
   level.cells = parents(volume.grid, number);
   std::optional<ProgressPart> part(std::in_place, progress, 0.0, kBakingShare);
-  bake_cubes(volume, sampler, views, level, progress);
+  bake_cubes(source, VolumeSampler(source), views, level, progress);
   part.emplace(progress, kBakingShare, 1.0);
   prune_views(volume, views, options.prune, level, progress);
   return level;
@@ -130,7 +131,7 @@ Options describe(BillboardOptions& options) {
        "",
        "octree level of the coarsest billboards",
        &options.coarsest_level,
-       2,
+       0,
        7,
        {}},
       {"views", "", "directions that coarse levels have textures for", &options.views, 1, 64, {}},
@@ -177,18 +178,20 @@ Billboards bake_billboards(const RadianceVolume& volume, const std::vector<Camer
     const double start = level_share * (level - coarsest + 1);
     part.emplace(progress, start, start + level_share);
   };
-  const VolumeSampler sampler(visible);
+  std::vector<RadianceVolume> volumes(1, visible);  // fine to coarse
+  while (volumes.back().grid.level() > std::min(first_kernels, coarsest + kLevelsOfCube))
+    volumes.push_back(coarser_volume(volumes.back()));
+  const auto volume_of = [&](int level) -> const RadianceVolume& {
+    return volumes[std::size_t(finest - std::min(level, finest))];
+  };
   for (int level = coarsest; level < first_kernels; ++level) {
     begin_level(level);
-    result.levels.push_back(
-        cubes_of(visible, sampler, level, result.view_positions, options, progress));
+    result.levels.push_back(cubes_of(visible, volume_of(level + kLevelsOfCube), level,
+                                     result.view_positions, options, progress));
   }
-  std::vector<RadianceVolume> volumes(1, visible);  // fine to coarse
-  while (volumes.back().grid.level() > first_kernels)
-    volumes.push_back(coarser_volume(volumes.back()));
-  for (; !volumes.empty(); volumes.pop_back()) {
-    begin_level(volumes.back().grid.level());
-    result.levels.push_back(kernels_of(volumes.back(), result.view_positions, progress));
+  for (int level = first_kernels; level <= finest; ++level) {
+    begin_level(level);
+    result.levels.push_back(kernels_of(volume_of(level), result.view_positions, progress));
   }
   return result;
 }

@@ -13,7 +13,7 @@
 namespace bosk {
 
 struct BillboardOptions {
-  int coarsest_level = 4;  // octree level of the coarsest billboards
+  int coarsest_level = 0;  // octree level of the coarsest billboards
   int views = 12;          // directions that coarse levels have textures for
   int texels = 4;          // M: texels along the edge of a coarse billboard, 4 or 8
   int kernel_levels = 2;   // finest levels drawn as one soft kernel a cell, the same from all sides

@@ -186,7 +186,7 @@ Stage radiance_stage() {
 
 Stage texture_stage() {
   Stage stage = stage_of("texture", "Textures", 6, {"view", "radiance"});
-  stage.version = 2;
+  stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     results.billboards = shared(
@@ -218,7 +218,7 @@ TreeMetadata metadata_of(const PackOptions& options, std::size_t photos) {
 
 Stage pack_stage() {
   Stage stage = stage_of("pack", "Package", 4, {"view", "texture", "compress"});
-  stage.version = 2;
+  stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
   stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());

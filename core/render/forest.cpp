@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 
 #include "core/base/error.h"
@@ -14,8 +13,7 @@ namespace bosk {
 namespace {
 
 constexpr double kLeastDetail = 1.0 / 1024.0;
-constexpr int kDetailSteps = 24;        // halvings of the interval in which the detail is sought
-constexpr double kDepthsPerOctave = 8;  // trees at depths that differ less are counted together
+constexpr double kDetailTolerance = 0.03;  // octaves
 
 glm::dvec3 turned(const glm::dvec3& v, double cosine, double sine) {
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
@@ -61,6 +59,18 @@ void sort_far_first(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>
     for (const std::uint64_t key : keys) spare[first[kMask - (key >> shift & kMask)]++] = key;
     keys.swap(spare);
   }
+}
+
+// Depths that share an exponent and three bits of mantissa as floats are counted together.
+constexpr std::size_t kDepthBins = 2048;
+constexpr int kDepthShift = 20;
+
+std::size_t depth_bin(double depth) {
+  return std::bit_cast<std::uint32_t>(float(std::max(depth, 0.0))) >> kDepthShift;
+}
+
+double depth_of_bin(std::size_t bin) {
+  return double(std::bit_cast<float>(std::uint32_t(bin) << kDepthShift | 1u << (kDepthShift - 1)));
 }
 
 class Cone {
@@ -129,35 +139,34 @@ void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
   for (const std::uint64_t key : list.keys) list.instances.push_back(std::uint32_t(key));
 }
 
-// Trees of one kind at about the same depth are counted once; then the interval of details is
-// halved until the sum fits.
 double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
-                                 std::uint64_t budget,
-                                 const std::vector<std::uint32_t>& instances) const {
-  std::map<std::pair<std::uint32_t, int>, double> trees_at;  // kind and octave step -> how many
-  for (const std::uint32_t i : instances) {
+                                 std::uint64_t budget, ForestDrawList& list) const {
+  if (budget == 0) return options.detail;
+  // Count together what trees of one kind at about the same depth cost
+  list.depths.assign(trees_.size() * kDepthBins, 0);
+  for (const std::uint32_t i : list.instances) {
     const Stand& stand = stands_[i];
     const double depth = level_depth(stand.centre - viewpoint.eye, viewpoint.forward);
     const double in_tree = std::max(depth, 0.5 * stand.crown_radius_m) / instances_[i].scale;
-    trees_at[{instances_[i].tree, int(std::floor(kDepthsPerOctave * std::log2(in_tree)))}] += 1.0;
+    ++list.depths[instances_[i].tree * kDepthBins + depth_bin(in_tree)];
   }
   const auto billboards = [&](double detail) {
     DrawOptions coarser = options;
     coarser.detail = detail;
     double sum = 0.0;
-    for (std::uint32_t tree = 0; tree < trees_.size(); ++tree) {
+    for (std::size_t tree = 0; tree < trees_.size(); ++tree) {
       const RangeChooser chooser(*trees_[tree], viewpoint.focal_px, coarser);
-      for (auto at = trees_at.lower_bound({tree, std::numeric_limits<int>::min()});
-           at != trees_at.end() && at->first.first == tree; ++at) {
-        sum += at->second *
-               chooser.billboards_at(std::exp2((at->first.second + 0.5) / kDepthsPerOctave));
+      for (std::size_t bin = 0; bin < kDepthBins; ++bin) {
+        const std::uint32_t count = list.depths[tree * kDepthBins + bin];
+        if (count > 0) sum += count * chooser.billboards_at(depth_of_bin(bin));
       }
     }
     return sum;
   };
-  if (budget == 0 || billboards(options.detail) <= double(budget)) return options.detail;
+  if (billboards(options.detail) <= double(budget)) return options.detail;
+  // Halve the interval in which the detail lies until it is known to 2 %
   double low = std::log2(kLeastDetail * options.detail), high = std::log2(options.detail);
-  for (int step = 0; step < kDetailSteps; ++step) {
+  while (high - low > kDetailTolerance) {
     const double middle = 0.5 * (low + high);
     (billboards(std::exp2(middle)) <= double(budget) ? low : high) = middle;
   }
@@ -171,7 +180,7 @@ void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, s
   list.billboards = 0;
   list_instances(viewpoint, options.half_angle, list);
   DrawOptions afforded = options;
-  afforded.detail = list.detail = affordable_detail(viewpoint, options, budget, list.instances);
+  afforded.detail = list.detail = affordable_detail(viewpoint, options, budget, list);
   std::vector<RangeChooser> choosers;
   for (const auto& tree : trees_) choosers.emplace_back(*tree, viewpoint.focal_px, afforded);
   for (const std::uint32_t i : list.instances) {

@@ -22,12 +22,15 @@ glm::dvec3 tree_from_world(const TreeInstance& instance, const glm::dvec3& point
 glm::dvec3 world_from_tree(const TreeInstance& instance, const glm::dvec3& point_in_tree);
 
 struct ForestDrawList {
-  std::vector<DrawRange> ranges;                // back to front
-  std::vector<std::uint32_t> instances;         // that may be seen, back to front
-  std::uint64_t billboards = 0;                 // cells of the ranges, each once
-  std::vector<std::uint64_t> by_level;          // the same by octree level
-  double detail = 1.0;                          // DrawOptions::detail as the budget left it
-  std::vector<std::uint64_t> keys, spare_keys;  // of `instances`, for their order
+  std::vector<DrawRange> ranges;         // back to front
+  std::vector<std::uint32_t> instances;  // that may be seen, back to front
+  std::uint64_t billboards = 0;          // cells of the ranges, each once
+  std::vector<std::uint64_t> by_level;   // the same by octree level
+  double detail = 1.0;                   // DrawOptions::detail as the budget left it
+
+  // Working memory, kept from frame to frame
+  std::vector<std::uint64_t> keys, spare_keys;
+  std::vector<std::uint32_t> depths;
 };
 
 // Trees and where they stand, prepared for drawing from any eye.
@@ -59,7 +62,7 @@ class Forest {
   };
   void list_instances(const Viewpoint& viewpoint, double half_angle, ForestDrawList& list) const;
   double affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
-                           std::uint64_t budget, const std::vector<std::uint32_t>& instances) const;
+                           std::uint64_t budget, ForestDrawList& list) const;
 
   std::vector<std::shared_ptr<const PreparedTree>> trees_;
   std::vector<TreeInstance> instances_;

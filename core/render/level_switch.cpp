@@ -10,8 +10,11 @@
 namespace bosk {
 namespace {
 
-constexpr int kSmallestTree_px = 8;
+constexpr int kSmallestTree_px = 2;
 constexpr int kLargestTree_px = 1024;  // of the truth; a drawing to judge is at most half of it
+constexpr double kSmallestCell_px = 0.125;
+constexpr float kSpeckPx =
+    1.0f;  // a tree within one pixel is one billboard, whatever it looks like
 constexpr double kBestPsnr_db = 99.0;
 
 std::vector<glm::dvec3> eyes_of(const TreeModel& model, const std::vector<Camera>& cameras,
@@ -79,7 +82,11 @@ void add_error(const Image<glm::vec4>& truth, const Image<glm::vec4>& drawn, Squ
 // About two pixels for a finest cell: beyond that the picture holds nothing new.
 int truth_width_px(const TreeModel& model) {
   const int cells = 1 << std::clamp(model.levels.back().level, 0, 20);
-  return std::clamp(2 * cells, 8 * kSmallestTree_px, kLargestTree_px);
+  return std::clamp(2 * cells, 32 * kSmallestTree_px, kLargestTree_px);
+}
+
+double cell_px(const TreeModel& model, std::size_t slot, int tree_px) {
+  return std::ldexp(double(tree_px), -model.levels[slot].level);
 }
 
 using ErrorTable = std::map<int, std::vector<SquaredError>>;  // by tree_px, then slot
@@ -93,8 +100,10 @@ void add_errors_of_eye(const PreparedTree& tree, const glm::dvec3& eye, ErrorTab
     truth = half_size(truth);
     std::vector<SquaredError>& errors = table[tree_px];
     errors.resize(model.levels.size());
-    for (std::size_t slot = 0; slot < model.levels.size(); ++slot)
-      add_error(truth, draw_level(tree, eye, tree_px, slot, progress), errors[slot]);
+    for (std::size_t slot = 0; slot < model.levels.size(); ++slot) {
+      if (cell_px(model, slot, tree_px) >= kSmallestCell_px)
+        add_error(truth, draw_level(tree, eye, tree_px, slot, progress), errors[slot]);
+    }
     progress.advance();
   }
 }
@@ -112,30 +121,31 @@ struct Margin {
 };
 
 std::vector<Margin> margins_of(const std::vector<LevelError>& errors, std::size_t slot,
-                               std::size_t finest, const LevelSwitchOptions& options) {
-  std::vector<double> finest_db;
+                               const LevelSwitchOptions& options) {
+  std::map<int, double> best_db;  // by size
   for (const LevelError& error : errors)
-    if (error.level_slot == finest) finest_db.push_back(error.psnr_db);
+    best_db[error.tree_px] = std::max(best_db[error.tree_px], error.psnr_db);
   std::vector<Margin> margins;
   for (const LevelError& error : errors) {
     if (error.level_slot != slot) continue;
     const double least_db =
-        std::min(options.least_psnr_db, finest_db[margins.size()] - options.slack_db);
+        std::min(options.least_psnr_db, best_db[error.tree_px] - options.slack_db);
     margins.push_back({error.cell_px, error.psnr_db - least_db});
   }
   return margins;
 }
 
-// Where the margin first falls below 0; linear in the logarithm of the size.
+// Up to where the margin is not below 0; linear in the logarithm of the size. Below that it may
+// well be: finer levels pile up opacity where their cells are far below a pixel, so a coarser one,
+// which comes first, is the better one there.
 double largest_good_px(const std::vector<Margin>& margins) {
-  if (margins.empty() || margins.front().margin_db < 0.0) return 0.0;
-  for (std::size_t i = 1; i < margins.size(); ++i) {
-    if (margins[i].margin_db >= 0.0) continue;
-    const double good = margins[i - 1].margin_db;
-    const double part = good / (good - margins[i].margin_db);
-    return margins[i - 1].cell_px * std::pow(margins[i].cell_px / margins[i - 1].cell_px, part);
-  }
-  return margins.back().cell_px;
+  const auto good = std::find_if(margins.rbegin(), margins.rend(),
+                                 [](const Margin& margin) { return margin.margin_db >= 0.0; });
+  if (good == margins.rend()) return 0.0;
+  if (good == margins.rbegin()) return good->cell_px;
+  const Margin& bad = *std::prev(good);
+  const double part = good->margin_db / (good->margin_db - bad.margin_db);
+  return good->cell_px * std::pow(bad.cell_px / good->cell_px, part);
 }
 
 }  // namespace
@@ -151,10 +161,13 @@ std::vector<LevelError> measure_level_errors(const TreeModel& model,
   const PreparedTree tree(model);
   for (const glm::dvec3& eye : eyes) add_errors_of_eye(tree, eye, table, progress);
   std::vector<LevelError> errors;
-  for (std::size_t slot = 0; slot < model.levels.size(); ++slot)
-    for (const auto& [tree_px, of_slots] : table)
-      errors.push_back(
-          {slot, std::ldexp(double(tree_px), -model.levels[slot].level), of_slots[slot].psnr_db()});
+  for (std::size_t slot = 0; slot < model.levels.size(); ++slot) {
+    for (const auto& [tree_px, of_slots] : table) {
+      const double size_px = cell_px(model, slot, tree_px);
+      if (size_px >= kSmallestCell_px)
+        errors.push_back({slot, tree_px, size_px, of_slots[slot].psnr_db()});
+    }
+  }
   return errors;
 }
 
@@ -164,9 +177,11 @@ void set_level_switches(TreeModel& model, const std::vector<Camera>& cameras, Pr
   const std::vector<LevelError> errors = measure_level_errors(model, cameras, options, progress);
   const std::size_t finest = model.levels.size() - 1;
   for (std::size_t slot = 0; slot < finest; ++slot)
-    model.levels[slot].max_cell_px =
-        float(largest_good_px(margins_of(errors, slot, finest, options)));
+    model.levels[slot].max_cell_px = float(largest_good_px(margins_of(errors, slot, options)));
   model.levels[finest].max_cell_px = 0.0f;
+  TreeLevel& coarsest = model.levels.front();
+  if (finest > 0 && coarsest.level == 0)
+    coarsest.max_cell_px = std::max(coarsest.max_cell_px, kSpeckPx);
 }
 
 }  // namespace bosk
