@@ -22,7 +22,7 @@ endif()
 function(bosk_folder name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(bosk_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(bosk_${name} PUBLIC bosk_flags ${ARG_DEPENDS})
+  target_link_libraries(bosk_${name} PUBLIC $<BUILD_INTERFACE:bosk_flags> ${ARG_DEPENDS})
 endfunction()
 
 # bosk_test(NAME SOURCES a_test.cpp ... DEPENDS targets...): one GoogleTest program, its tests named NAME.*.
