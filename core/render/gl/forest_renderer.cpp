@@ -181,9 +181,10 @@ ForestRenderer::ForestRenderer(const Forest& forest, const ForestRendererOptions
   state_->trees = forest.trees();
   state_->instances = forest.instances();
   state_->options = options;
-  state_->gpu = upload_trees(forest.trees(), options.exact_texels);
+  state_->gpu = upload_trees(forest.trees(), options.atlas);
   state_->expand = make_program({"billboard.comp"});
-  state_->paint = make_program({"billboard.vert", "billboard.frag"});
+  state_->paint = make_program({"billboard.vert", "billboard.frag"},
+                               state_->gpu.bc3 ? "#define BC3_ATLAS 1\n" : "#define BC3_ATLAS 0\n");
   state_->no_vertices = GlObject(GlObject::Kind::vertex_array);
   check_gl("preparing to draw trees");
 }

@@ -19,8 +19,15 @@ struct ForestLook {
   enum class Colours { tree, levels, cells, pruned } colours = Colours::tree;
 };
 
+enum class AtlasTexels {
+  // bc3 on graphics cards, plain on drivers that draw on the CPU, which decode BC3 slowly.
+  automatic,
+  bc3,    // where the driver has S3TC and every tree its blocks, else plain
+  plain,  // RGBA8, exact
+};
+
 struct ForestRendererOptions {
-  bool exact_texels = false;                  // RGBA8 atlases even where the driver has S3TC
+  AtlasTexels atlas = AtlasTexels::automatic;
   std::uint32_t batch_billboards = 1u << 20;  // drawn at a time; 64 bytes each
 };
 
@@ -31,8 +38,7 @@ struct ForestRendererOptions {
 class ForestRenderer {
  public:
   // Uploads each tree once. Throws Error, with what to do, when the context is missing or older
-  // than 4.5, or a tree does not fit its buffers. Atlases are BC3 where the driver has S3TC and
-  // every tree its blocks, else RGBA8.
+  // than 4.5, or a tree does not fit its buffers.
   explicit ForestRenderer(const Forest& forest, const ForestRendererOptions& options = {});
   ~ForestRenderer();
   ForestRenderer(const ForestRenderer&) = delete;

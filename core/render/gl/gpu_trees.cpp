@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/render/billboard_geometry.h"
 
 namespace bosk {
 namespace {
+
+using Trees = std::vector<std::shared_ptr<const PreparedTree>>;
 
 constexpr GLenum kDxt5 = 0x83f3;  // GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, not in the core header
 constexpr std::uint32_t kOutside = 0xfffe;  // shaders/pairs.glsl
@@ -36,7 +39,7 @@ struct Blocks {
   std::vector<glm::vec4> views;
 };
 
-// Cells that one buffer may hold; numbers in shaders have 32 bits.
+// Where the next value goes; places have 32 bits in shaders.
 template <class T>
 std::uint32_t next_index(const std::vector<T>& values) {
   return std::uint32_t(values.size());
@@ -136,49 +139,94 @@ bool has_whole_bc3(const CodeAtlas& atlas) {
   return atlas.bc3.size() == std::size_t(atlas.width_px) * std::size_t(atlas.height_px);
 }
 
-// One tree's atlas in its layer's corner.
-void upload_layer(GLuint texture, GLint layer, const CodeAtlas& atlas, bool bc3) {
-  if (atlas.width_px == 0 || atlas.height_px == 0) return;
-  if (bc3)
-    glCompressedTextureSubImage3D(texture, 0, 0, 0, layer, atlas.width_px, atlas.height_px, 1,
-                                  kDxt5, GLsizei(atlas.bc3.size()), atlas.bc3.data());
-  else
-    glTextureSubImage3D(texture, 0, 0, 0, layer, atlas.width_px, atlas.height_px, 1, GL_RGBA,
-                        GL_UNSIGNED_BYTE, atlas.rgba.data());
+bool draws_on_cpu() {
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (!renderer) return false;
+  const std::string_view name(renderer);
+  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
+         name.find("SWR") != name.npos;
 }
 
-void upload_atlases(const std::vector<std::shared_ptr<const PreparedTree>>& trees,
-                    bool exact_texels, GpuTrees& gpu) {
+bool want_bc3(const Trees& trees, AtlasTexels texels) {
+  if (texels == AtlasTexels::plain || !has_s3tc()) return false;
+  if (texels == AtlasTexels::automatic && draws_on_cpu()) return false;
+  return std::all_of(trees.begin(), trees.end(),
+                     [](const auto& tree) { return has_whole_bc3(tree->model().atlas); });
+}
+
+// An array of pages, one a tree; each holds an atlas in its corner.
+GLsizei start_atlas(const Trees& trees, GLenum format, const glm::ivec2& page_px, GpuTrees& gpu) {
   GLint most_layers = 0;
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers);
   if (trees.size() > std::size_t(most_layers))
     throw Error("a forest of " + std::to_string(trees.size()) +
                 " different trees is more than this OpenGL draws: at most " +
                 std::to_string(most_layers));
-  glm::ivec2 page(4);
-  gpu.bc3 = !exact_texels && has_s3tc();
-  for (const auto& tree : trees) {
-    const CodeAtlas& atlas = tree->model().atlas;
-    page = glm::max(page, glm::ivec2(atlas.width_px, atlas.height_px));
-    gpu.bc3 = gpu.bc3 && has_whole_bc3(atlas);
-  }
   const auto layers = GLsizei(std::max<std::size_t>(trees.size(), 1));
   gpu.atlas = GlObject(GlObject::Kind::texture_array);
-  const GLuint texture = gpu.atlas.name();
-  glTextureStorage3D(texture, 1, gpu.bc3 ? kDxt5 : GL_RGBA8, page.x, page.y, layers);
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  for (std::size_t layer = 0; layer < trees.size(); ++layer)
-    upload_layer(texture, GLint(layer), trees[layer]->model().atlas, gpu.bc3);
-  gpu.atlas_bytes = std::size_t(page.x * page.y) * std::size_t(layers) * (gpu.bc3 ? 1 : 4);
+  glTextureStorage3D(gpu.atlas.name(), 1, format, page_px.x, page_px.y, layers);
+  glTextureParameteri(gpu.atlas.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(gpu.atlas.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return layers;
+}
+
+// Of the largest atlas, in tiles.
+glm::ivec2 page_tiles(const Trees& trees) {
+  glm::ivec2 page(1);
+  for (const auto& tree : trees)
+    page = glm::max(
+        page, glm::ivec2(tree->model().atlas.width_px / 4, tree->model().atlas.height_px / 4));
+  return page;
+}
+
+void upload_bc3(const Trees& trees, GpuTrees& gpu) {
+  const glm::ivec2 page_px = 4 * page_tiles(trees);
+  const GLsizei layers = start_atlas(trees, kDxt5, page_px, gpu);
+  for (std::size_t layer = 0; layer < trees.size(); ++layer) {
+    const CodeAtlas& atlas = trees[layer]->model().atlas;
+    if (!atlas.bc3.empty())
+      glCompressedTextureSubImage3D(gpu.atlas.name(), 0, 0, 0, GLint(layer), atlas.width_px,
+                                    atlas.height_px, 1, kDxt5, GLsizei(atlas.bc3.size()),
+                                    atlas.bc3.data());
+  }
+  gpu.atlas_bytes = std::size_t(page_px.x * page_px.y) * std::size_t(layers);
+}
+
+// Each tile's 16 alphas, reds, greens and blues, row by row.
+std::vector<std::uint8_t> sorted_by_channel(const CodeAtlas& atlas) {
+  const auto width = std::size_t(atlas.width_px), height = std::size_t(atlas.height_px);
+  std::vector<std::uint8_t> tiles(4 * width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const glm::u8vec4 texel = atlas.rgba[y * width + x];
+      std::uint8_t* tile = &tiles[64 * (y / 4 * (width / 4) + x / 4) + y % 4 * 4 + x % 4];
+      tile[0] = texel.a;
+      tile[16] = texel.r;
+      tile[32] = texel.g;
+      tile[48] = texel.b;
+    }
+  }
+  return tiles;
+}
+
+void upload_plain(const Trees& trees, GpuTrees& gpu) {
+  const glm::ivec2 page_px = glm::ivec2(4, 1) * page_tiles(trees);
+  const GLsizei layers = start_atlas(trees, GL_RGBA32UI, page_px, gpu);
+  for (std::size_t layer = 0; layer < trees.size(); ++layer) {
+    const CodeAtlas& atlas = trees[layer]->model().atlas;
+    if (!atlas.rgba.empty())
+      glTextureSubImage3D(gpu.atlas.name(), 0, 0, 0, GLint(layer), atlas.width_px,
+                          atlas.height_px / 4, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                          sorted_by_channel(atlas).data());
+  }
+  gpu.atlas_bytes = 16 * std::size_t(page_px.x * page_px.y) * std::size_t(layers);
 }
 
 }  // namespace
 
 glm::dvec3 cube_middle(const TreeModel& model) { return model.origin + 0.5 * model.size_m; }
 
-GpuTrees upload_trees(const std::vector<std::shared_ptr<const PreparedTree>>& trees,
-                      bool exact_texels) {
+GpuTrees upload_trees(const Trees& trees, AtlasTexels texels) {
   Blocks blocks;
   for (std::size_t tree = 0; tree < trees.size(); ++tree)
     append_tree(*trees[tree], std::uint32_t(tree), blocks);
@@ -189,7 +237,11 @@ GpuTrees upload_trees(const std::vector<std::shared_ptr<const PreparedTree>>& tr
   gpu.cells = upload(blocks.cells);
   gpu.views = upload(blocks.views);
   gpu.pairs = upload(blocks.pairs);
-  upload_atlases(trees, exact_texels, gpu);
+  gpu.bc3 = want_bc3(trees, texels);
+  if (gpu.bc3)
+    upload_bc3(trees, gpu);
+  else
+    upload_plain(trees, gpu);
   check_gl("uploading trees");
   return gpu;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/render/gl/forest_renderer.h"
 #include "core/render/gl/gl_object.h"
 #include "core/render/prepared_tree.h"
 
@@ -14,7 +15,8 @@ namespace bosk {
 // from the middle of each tree's cube.
 struct GpuTrees {
   FixedBuffer trees, levels, order_table, cells, views, pairs;
-  GlObject atlas;  // one layer a tree, BC3 or RGBA8
+  GlObject
+      atlas;  // one layer a tree: BC3, or RGBA8 sorted by channel within tiles (billboard.frag)
   std::size_t atlas_bytes = 0;
   bool bc3 = false;
 };
@@ -22,9 +24,8 @@ struct GpuTrees {
 // The middle of the octree's cube, tree frame: what floats on the GPU count from.
 glm::dvec3 cube_middle(const TreeModel& model);
 
-// With `exact_texels` the atlas is RGBA8 even where BC3 would do. Throws Error when a tree does not
-// fit the driver's buffers.
+// Throws Error when a tree does not fit the driver's buffers.
 GpuTrees upload_trees(const std::vector<std::shared_ptr<const PreparedTree>>& trees,
-                      bool exact_texels);
+                      AtlasTexels texels);
 
 }  // namespace bosk

@@ -69,9 +69,16 @@ Error refused(const std::string& what, const std::string& log) {
                "; update the driver or draw without OpenGL");
 }
 
-void attach(GLuint program, const std::string& file) {
+// #version must come first.
+void insert_defines(const std::string& defines, std::string& text) {
+  const std::size_t second_line = text.find('\n') + 1;
+  text.insert(second_line, defines + "#line 2 0\n");
+}
+
+void attach(GLuint program, const std::string& file, const std::string& defines) {
   Source source;
   append_file(file, source);
+  insert_defines(defines, source.text);
   const GLuint shader = glCreateShader(stage_of(file));
   const char* text = source.text.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -89,11 +96,11 @@ void attach(GLuint program, const std::string& file) {
 
 }  // namespace
 
-GlObject make_program(std::initializer_list<const char*> files) {
+GlObject make_program(std::initializer_list<const char*> files, const std::string& defines) {
   GlObject program(GlObject::Kind::program);
   std::string names;
   for (const char* file : files) {
-    attach(program.name(), file);
+    attach(program.name(), file, defines);
     names += (names.empty() ? "" : " + ") + std::string(file);
   }
   glLinkProgram(program.name());
