@@ -1,4 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +11,9 @@
 #include "core/image/image_io.h"
 #include "core/package/reader.h"
 #include "core/photo/camera_files.h"
+#include "core/render/gl/forest_renderer.h"
+#include "core/render/gl/headless_context.h"
+#include "core/render/gl/offscreen_target.h"
 #include "core/render/reference.h"
 
 namespace bosk {
@@ -17,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct RenderArguments {
   std::string package, cameras, output;
+  bool gl = false;
   OptionTexts options;
 };
 
@@ -26,24 +33,71 @@ void make_folder(const fs::path& folder) {
   if (failure) throw system_error(folder, "created", failure.value());
 }
 
+// Draws one camera's picture, straight colour.
+using Painter = std::function<Image<glm::vec4>(const Camera&)>;
+
+Painter cpu_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options,
+                    Progress& progress) {
+  return [=, &progress](const Camera& camera) {
+    return render_tree(*tree, camera, options, progress);
+  };
+}
+
+// A forest of one tree, drawn without a window.
+struct GlStand {
+  GlStand(std::shared_ptr<const PreparedTree> tree, AtlasTexels atlas)
+      : forest({std::move(tree)}, {{}}), renderer(forest, {.atlas = atlas}) {}
+
+  Image<glm::vec4> draw(const Camera& camera, const RenderOptions& options) {
+    const OffscreenTarget target(camera.lens.width_px, camera.lens.height_px);
+    target.bind();
+    target.clear(glm::vec4(0.0f));
+    forest.draw_list(viewpoint_of(camera), draw_options(options), 0, list);
+    renderer.draw(list, camera, {.blend = blend_rule(options)});
+    return straight_from_premultiplied(target.read());
+  }
+
+  HeadlessContext context;
+  Forest forest;
+  ForestRenderer renderer;
+  ForestDrawList list;
+};
+
+Painter gl_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options) {
+  const auto stand = std::make_shared<GlStand>(
+      std::move(tree), options.gpu_texels ? AtlasTexels::bc3 : AtlasTexels::automatic);
+  return [=](const Camera& camera) { return stand->draw(camera, options); };
+}
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
 ExitStatus render_views(const RenderArguments& arguments, Console& console) {
   RenderOptions options;
   set_options(arguments.options, describe(options));
   const TreeModel model = load_tree(arguments.package);
-  const PreparedTree tree(model);
+  const auto tree = std::make_shared<PreparedTree>(model);
   const std::vector<Camera> cameras = read_cameras(arguments.cameras);
+  const Painter paint =
+      arguments.gl ? gl_painter(tree, options) : cpu_painter(tree, options, console.progress());
   make_folder(arguments.output);
   std::vector<std::string> pictures;
+  std::vector<double> milliseconds;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     console.progress().scope(double(i) / double(cameras.size()),
                              double(i + 1) / double(cameras.size()));
-    const Image<glm::vec4> view = render_tree(tree, cameras[i], options, console.progress());
+    console.progress().begin("Drawing " + cameras[i].name, 1);
+    const auto start = std::chrono::steady_clock::now();
+    const Image<glm::vec4> view = paint(cameras[i]);
+    milliseconds.push_back(std::round(10.0 * ms_since(start)) / 10.0);
     const fs::path picture = fs::path(arguments.output) / (cameras[i].name + ".png");
     write_png(picture, rgba8_from_straight(view));
     pictures.push_back(picture.string());
   }
   console.result(printable(arguments.output) + ": " + std::to_string(cameras.size()) + " pictures",
-                 {{"pictures", pictures}});
+                 {{"pictures", pictures}, {"milliseconds", milliseconds}});
   return ExitStatus::done;
 }
 
@@ -67,6 +121,10 @@ void add_render_command(CLI::App& app, Request& request) {
       .add_option("-o,--output", arguments->output, "folder for the pictures, made when missing")
       ->required()
       ->type_name("DIR");
+  command.add_flag(
+      "--gl", arguments->gl,
+      "draw through OpenGL 4.5, without a window: the same pictures with the BC3 texels "
+      "that a GPU reads");
   RenderOptions defaults;
   add_options(command, describe(defaults), "", "How to draw", arguments->options);
   command.callback([arguments, &request] {

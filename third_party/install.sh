@@ -12,6 +12,8 @@ packages=(
   # Files
   libopenimageio-dev openimageio-tools libopenexr-dev libimath-dev
   libzstd-dev libxxhash-dev libsquish-dev nlohmann-json3-dev
+  # Drawing
+  libgl-dev libopengl-dev libegl-dev libgl1-mesa-dri
   # Command line
   libcli11-dev
   # Tests and benchmarks

@@ -14,13 +14,6 @@
 namespace bosk {
 namespace {
 
-DrawOptions draw_options(const RenderOptions& options) {
-  DrawOptions draw;
-  draw.detail = options.detail;
-  draw.only_level = options.level;
-  return draw;
-}
-
 // How far the picture moves per metre along `axis` at the point; by central differences.
 std::optional<glm::dvec2> pixels_per_metre(const Lens& lens, const glm::dvec3& point_in_camera,
                                            const glm::dvec3& axis_in_camera) {
@@ -189,6 +182,17 @@ Options describe(RenderOptions& options) {
   };
 }
 
+DrawOptions draw_options(const RenderOptions& options) {
+  DrawOptions draw;
+  draw.detail = options.detail;
+  draw.only_level = options.level;
+  return draw;
+}
+
+BlendRule blend_rule(const RenderOptions& options) {
+  return options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
+}
+
 Viewpoint viewpoint_of(const Camera& camera) {
   Viewpoint viewpoint;
   viewpoint.eye = camera.centre_in_world();
@@ -207,9 +211,9 @@ Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camer
   progress.begin("Drawing " + camera.name, grid.count());
   const TileTexels texels = options.gpu_texels ? gpu_tiles(model.atlas) : exact_tiles(model.atlas);
   const Viewpoint viewpoint = viewpoint_of(camera);
-  const BlendRule blend = options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
-  const std::vector<DrawItem> list = draw_items(
-      tree, make_draw_list(tree, viewpoint, draw_options(options)), viewpoint.eye, blend);
+  const std::vector<DrawItem> list =
+      draw_items(tree, make_draw_list(tree, viewpoint, draw_options(options)), viewpoint.eye,
+                 blend_rule(options));
   const std::vector<Splat> splats = project_items(model, camera, list, progress);
   const TileBins bins = bin_splats(splats, grid);
   tbb::parallel_for(std::size_t(0), grid.count(), [&](std::size_t index) {
@@ -233,7 +237,10 @@ Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camer
 
 Image<glm::vec4> render_tree(const PreparedTree& tree, const Camera& camera,
                              const RenderOptions& options, Progress& progress) {
-  Image<glm::vec4> image = render_tree_premultiplied(tree, camera, options, progress);
+  return straight_from_premultiplied(render_tree_premultiplied(tree, camera, options, progress));
+}
+
+Image<glm::vec4> straight_from_premultiplied(Image<glm::vec4> image) {
   for (glm::vec4& pixel : image.pixels()) pixel = straight(pixel);
   return image;
 }

@@ -19,6 +19,9 @@ struct RenderOptions {
 };
 Options describe(RenderOptions& options);
 
+DrawOptions draw_options(const RenderOptions& options);
+BlendRule blend_rule(const RenderOptions& options);
+
 // The camera as a draw list sees it; the focal length is the mean of both axes.
 Viewpoint viewpoint_of(const Camera& camera);
 
@@ -33,5 +36,8 @@ Image<glm::vec4> render_tree(const PreparedTree& tree, const Camera& camera,
 // The same with premultiplied colour: for averaging, as a smaller picture of the tree needs it.
 Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camera& camera,
                                            const RenderOptions& options, Progress& progress);
+
+// Straight colour, 0 to 1, from premultiplied; 0 where alpha is 0.
+Image<glm::vec4> straight_from_premultiplied(Image<glm::vec4> image);
 
 }  // namespace bosk

@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ source that holds the text of each file in SHADERS.
+set(text "// Made from shaders/ by embed_shaders.cmake.\n#include \"core/render/gl/program.h\"\n\nnamespace bosk {\n\n")
+string(APPEND text "const std::vector<ShaderText>& shader_texts() {\n  static const std::vector<ShaderText> texts = {\n")
+foreach(file ${SHADERS})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} content)
+  string(APPEND text "      {\"${name}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "  };\n  return texts;\n}\n\n}  // namespace bosk\n")
+file(WRITE ${OUTPUT} "${text}")

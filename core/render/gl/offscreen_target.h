@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "core/image/image.h"
+#include "core/render/gl/gl_object.h"
+
+namespace bosk {
+
+// A picture to draw into without a window: RGBA16F colour, 32-bit floating-point depth. A size of
+// zero is drawn to and read as an empty picture.
+class OffscreenTarget {
+ public:
+  // Throws Error when the driver cannot hold a picture so large.
+  OffscreenTarget(int width_px, int height_px);
+
+  // Makes it the framebuffer that is drawn to, and its whole the viewport.
+  void bind() const;
+  void clear(const glm::vec4& colour) const;
+  // What was drawn, top row first, channels as they are.
+  Image<glm::vec4> read() const;
+
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+  unsigned framebuffer() const { return framebuffer_.name(); }
+  unsigned colour_texture() const { return colour_.name(); }
+
+ private:
+  int width_px_, height_px_;
+  GlObject colour_, depth_, framebuffer_;
+};
+
+}  // namespace bosk
