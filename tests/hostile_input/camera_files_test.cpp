@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Sample {
   std::string format;
   std::vector<std::string> files;  // those that are mutated, one at a time
 };
+void PrintTo(const Sample& sample, std::ostream* stream) { *stream << sample.format; }
 
 // A frame of every kind of key that the reader knows, with a few cameras written by the program.
 const std::string kRichJson = R"({"camera_model":"OPENCV","w":640,"h":480.0,"fl_x":500,"fl_y":501,
