@@ -26,7 +26,7 @@ inline std::uint64_t morton(glm::uvec3 cell) {
 inline CodeAtlas plain_atlas(const std::vector<glm::u8vec4>& palette) {
   CodeAtlas atlas;
   atlas.width_px = atlas.height_px = 64;
-  atlas.rgba.resize(64 * 64, glm::u8vec4(0));
+  atlas.rgba.resize(std::size_t(64) * 64, glm::u8vec4(0));
   for (std::size_t tile = 0; tile < palette.size(); ++tile)
     for (std::size_t y = 0; y < 4; ++y)
       for (std::size_t x = 0; x < 4; ++x)
@@ -95,7 +95,7 @@ inline TreeModel random_ball(unsigned seed, int texels = 4, int views = 8) {
   model.atlas = noise_atlas(seed);
   std::mt19937 random(seed);
   std::vector<std::uint64_t> cells;
-  for (std::uint64_t code = 0; code < 32 * 32 * 32; ++code) {
+  for (std::uint64_t code = 0; code < std::uint64_t(32) * 32 * 32; ++code) {
     const glm::dvec3 at = (glm::dvec3(cell_from_morton(code)) + 0.5) / 16.0 - 1.0;
     if (glm::length(at) < 0.9 && random() % 4 == 0) cells.push_back(code);
   }
