@@ -193,7 +193,8 @@ InstructionSet widest_instruction_set() {
 }
 
 void nearest_codewords(const CodewordTable& table, std::span<const float> queries,
-                       std::span<std::uint16_t> indices, InstructionSet instructions) {
+                       std::span<std::uint16_t> indices,
+                       [[maybe_unused]] InstructionSet instructions) {
   assert(queries.size() == indices.size() * static_cast<std::size_t>(table.dimension));
 #if defined(__x86_64__) && !defined(__clang__)
   if (instructions == InstructionSet::avx512) return search_avx512(table, queries, indices);
