@@ -54,9 +54,9 @@ std::string base64(const std::vector<std::byte>& bytes) {
 }
 
 std::string row(const std::vector<std::string>& cells, const std::string& tag) {
+  const std::string begin = "<" + tag + ">", end = "</" + tag + ">";
   std::string text = "<tr>";
-  for (const std::string& cell : cells)
-    text += "<" + tag + ">" + html_text(cell) + "</" + tag + ">";
+  for (const std::string& cell : cells) text.append(begin).append(html_text(cell)).append(end);
   return text + "</tr>\n";
 }
 

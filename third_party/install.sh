@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what Bosk needs and is missing, from Debian's own packages: the one list of packages.
 # Why each was chosen and its licence: dependencies.md beside this file. Nothing missing: nothing done,
-# no network needed.
+# no network needed. --developer adds what only the presets `tidy` and clang-format need.
 set -euo pipefail
 
 packages=(
@@ -20,6 +20,13 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 
+if [ "${1:-}" = --developer ]; then
+  packages+=(clang clang-tidy clang-format)
+elif [ $# -gt 0 ]; then
+  echo "usage: install.sh [--developer]" >&2
+  exit 2
+fi
+
 is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -30,20 +37,25 @@ for package in "${packages[@]}"; do
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 
-if ! command -v apt-get >/dev/null; then
-  echo "install.sh: this system has no apt-get; install these by hand: ${missing[*]}" >&2
+echo "Building Bosk needs ${#missing[@]} Debian packages that are missing (why: third_party/dependencies.md):"
+echo "  ${missing[*]}"
+
+give_up() {
+  echo "install.sh: $1" >&2
   exit 1
-fi
-as_root=()
+}
+
+command -v apt-get >/dev/null || give_up "this system has no apt-get; install them by hand, then start again."
+apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q)
 if [ "$(id -u)" -ne 0 ]; then
-  if ! command -v sudo >/dev/null; then
-    echo "install.sh: not root and no sudo; ask an administrator to install: ${missing[*]}" >&2
-    exit 1
+  apt=(sudo "${apt[@]}")
+  if ! command -v sudo >/dev/null || ! "${apt[@]}" --version >/dev/null; then
+    give_up "$(id -un) may not install packages. Ask an administrator to run this as root, then start again:
+  apt-get install --no-install-recommends ${missing[*]}"
   fi
-  as_root=(sudo)
 fi
 
-echo "Installing ${#missing[@]} Debian packages that building Bosk needs (why: third_party/dependencies.md):"
-echo "  ${missing[*]}"
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+echo "Installing them with apt-get."
+if ! "${apt[@]}" update || ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; then
+  give_up "apt-get failed, see above. Put the network or /etc/apt/sources.list (Debian 12, main) right, then start again."
+fi

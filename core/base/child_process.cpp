@@ -69,6 +69,7 @@ void set_up(SpawnSettings& settings, int requests, int results) {
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> all;
+  all.reserve(texts.size() + 1);
   for (std::string& text : texts) all.push_back(text.data());
   all.push_back(nullptr);
   return all;
@@ -179,7 +180,7 @@ ChildOutcome ChildServer::talk(const std::vector<std::string>& arguments, const 
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(wall);
   const std::vector<std::byte> text = packed(arguments);
   const ChildRequest request{limits.memory_bytes, limits.cpu_s, text.size()};
-  const ChildOutcome gone{ChildEnd::stopped, "the program ended unexpectedly", {}};
+  ChildOutcome gone{ChildEnd::stopped, "the program ended unexpectedly", {}};
   if (!write_to_pipe(requests_.get(), std::as_bytes(std::span(&request, 1))) ||
       !write_to_pipe(requests_.get(), text)) {
     return gone;

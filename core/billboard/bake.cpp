@@ -65,8 +65,8 @@ void bake_cube(const RadianceVolume& volume, const VolumeSampler& sampler,
     for (int column = 0; column < level.texels; ++column) {
       glm::vec4 sum(0.0f);
       for (int s = 0; s < kTexelSamples * kTexelSamples; ++s) {
-        const glm::dvec2 in_texel((s % kTexelSamples + 0.5) / kTexelSamples,
-                                  (s / kTexelSamples + 0.5) / kTexelSamples);
+        const glm::ivec2 sample(s % kTexelSamples, s / kTexelSamples);
+        const glm::dvec2 in_texel = (glm::dvec2(sample) + 0.5) / double(kTexelSamples);
         const glm::dvec2 offset =
             (glm::dvec2(column, row) + in_texel - 0.5 * level.texels) * texel_m;
         const glm::dvec3 start =

@@ -13,6 +13,7 @@ constexpr double kGoldenAngle = std::numbers::pi * (3.0 - 2.23606797749979);
 
 double median_distance(const std::vector<Camera>& cameras, const Box& crown) {
   std::vector<double> distances;
+  distances.reserve(cameras.size());
   for (const Camera& camera : cameras) {
     distances.push_back(glm::length(camera.centre_in_world() - crown.centre()));
   }

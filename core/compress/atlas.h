@@ -14,7 +14,7 @@ namespace bosk {
 //   tile t = texels [4 (t % across), 4 (t / across)] .. + 3, across = width / 4, at most 128
 //   rgb:  | colours of level 0 | colours of level 1 | ... |
 //   a:    | alphas of level 0 | alphas of level 1 | ...       |
-inline constexpr std::size_t kMostTiles = 128 * 128;
+inline constexpr std::size_t kMostTiles = std::size_t(128) * 128;
 
 // Where texel `i` (0 to 15, row by row) of a tile stands in the row-major picture.
 std::size_t atlas_texel(const CodedTextures& textures, std::size_t tile, std::size_t i);

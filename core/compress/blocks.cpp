@@ -12,8 +12,9 @@ constexpr auto nearness_table() {
   std::array<std::array<float, 16>, 16> table{};
   for (std::size_t hole = 0; hole < 16; ++hole) {
     for (std::size_t i = 0; i < 16; ++i) {
+      const std::size_t row = i / kEdge, hole_row = hole / kEdge;
       const float x = float(i % kEdge) - float(hole % kEdge);
-      const float y = float(i / kEdge) - float(hole / kEdge);
+      const float y = float(row) - float(hole_row);
       const float square = std::max(1.0f, x * x + y * y);
       table[hole][i] = 1.0f / (square * square);
     }

@@ -52,7 +52,8 @@ template <int kLanes, int kWide, int kRows>
   for (int row = 0; row < kRows; ++row) {
 #pragma GCC unroll 16
     for (int wide = 0; wide < kWide; ++wide) {
-      tile.score[row][wide] = *reinterpret_cast<const Float*>(panel + wide * kLanes);
+      tile.score[row][wide] =
+          *reinterpret_cast<const Float*>(panel + std::ptrdiff_t(wide) * kLanes);
     }
   }
   for (int d = 0; d < dimension; ++d) {
@@ -60,7 +61,7 @@ template <int kLanes, int kWide, int kRows>
     Float codeword[kWide];
 #pragma GCC unroll 16
     for (int wide = 0; wide < kWide; ++wide) {
-      codeword[wide] = *reinterpret_cast<const Float*>(panel + wide * kLanes);
+      codeword[wide] = *reinterpret_cast<const Float*>(panel + std::ptrdiff_t(wide) * kLanes);
     }
 #pragma GCC unroll 16
     for (int row = 0; row < kRows; ++row) {
@@ -119,7 +120,7 @@ template <int kLanes, int kWide, int kRows>
       score_tile<kLanes, kWide, kRows>(panel + offset, table.dimension, rows, tile);
       keep_smaller<kLanes, kWide, kRows>(tile, (first + offset) / kLanes, minima);
     }
-    panel += kPanel * (table.dimension + 1);
+    panel += std::ptrdiff_t(kPanel) * (table.dimension + 1);
   }
   for (int row = 0; row < kRows; ++row) winners[row] = winner<kLanes, kRows>(minima, row);
 }
@@ -143,7 +144,8 @@ template <int kLanes, int kWide, int kRows>
 }
 
 // Tiles are as large as the registers of each instruction set: 32 of 16 floats, 16 of 8, 16 of 4.
-#if defined(__x86_64__)
+// Clang 14 cannot ask which of these levels the processor has, so it gets the baseline only.
+#if defined(__x86_64__) && !defined(__clang__)
 [[gnu::target("arch=x86-64-v4,prefer-vector-width=512")]] void search_avx512(
     const CodewordTable& table, std::span<const float> queries, std::span<std::uint16_t> indices) {
   search<16, 2, 12>(table, queries, indices);
@@ -183,7 +185,7 @@ CodewordTable make_codeword_table(std::span<const float> codewords, std::span<co
 }
 
 InstructionSet widest_instruction_set() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   if (__builtin_cpu_supports("x86-64-v4")) return InstructionSet::avx512;
   if (__builtin_cpu_supports("x86-64-v3")) return InstructionSet::avx2;
 #endif
@@ -191,9 +193,10 @@ InstructionSet widest_instruction_set() {
 }
 
 void nearest_codewords(const CodewordTable& table, std::span<const float> queries,
-                       std::span<std::uint16_t> indices, InstructionSet instructions) {
+                       std::span<std::uint16_t> indices,
+                       [[maybe_unused]] InstructionSet instructions) {
   assert(queries.size() == indices.size() * static_cast<std::size_t>(table.dimension));
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   if (instructions == InstructionSet::avx512) return search_avx512(table, queries, indices);
   if (instructions == InstructionSet::avx2) return search_avx2(table, queries, indices);
 #endif

@@ -126,7 +126,7 @@ LevelRateDistortion summary(const ErrorSums& sums, const CodedLevel& coded) {
                       result.alpha_entropy_bits * double(result.blocks);
   result.raw_bytes = result.blocks * 64;
   result.index_bytes = std::size_t(std::ceil(bits / 8.0));
-  result.codeword_bytes = 8 * (coded.colour_codewords + coded.alpha_codewords);
+  result.codeword_bytes = std::size_t(8) * (coded.colour_codewords + coded.alpha_codewords);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/base/atomic_file.h"
@@ -54,7 +55,7 @@ void write_png(const std::filesystem::path& path, const Image<std::uint8_t>& gre
 
 std::uint8_t byte_from_unit(float value) {
   if (!(value > 0.0f)) return 0;
-  return static_cast<std::uint8_t>(std::min(value, 1.0f) * 255.0f + 0.5f);
+  return static_cast<std::uint8_t>(std::floor(std::min(value, 1.0f) * 255.0f + 0.5f));
 }
 
 Image<glm::u8vec4> rgba8_from_straight(const Image<glm::vec4>& straight) {

@@ -109,6 +109,7 @@ std::vector<Study> study_all(const Photos& photos, const Scribbles& scribbles,
 void compare_photos(const Photos& photos, const MatteOptions& options, std::vector<Study>& studies,
                     Progress& progress) {
   std::vector<Image<float>> outlines;
+  outlines.reserve(studies.size());
   for (const Study& study : studies) outlines.push_back(study.outline);
   auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
   tilts.resize(photos.size(), Image<float>(1, 1));

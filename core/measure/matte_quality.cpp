@@ -23,8 +23,9 @@ cv::Mat gradient_magnitude(const cv::Mat& alpha) {
     smooth.push_back(std::exp(-x * x / (2.0 * kSigma_px * kSigma_px)));
     sum += smooth.back();
   }
-  for (int x = -half; x <= half; ++x) {
-    double& weight = smooth[std::size_t(x + half)];
+  slope.reserve(smooth.size());
+  for (double& weight : smooth) {
+    const int x = int(slope.size()) - half;
     weight /= sum;
     slope.push_back(-x / (kSigma_px * kSigma_px) * weight);
   }

@@ -109,6 +109,7 @@ void put_frequencies(ByteSink& sink, const Table& table) {
 // 1 for each index that is not kPruned.
 std::vector<std::uint8_t> live_blocks(const std::vector<std::uint16_t>& alpha) {
   std::vector<std::uint8_t> live;
+  live.reserve(alpha.size());
   for (const std::uint16_t index : alpha) live.push_back(index != kPruned);
   return live;
 }

@@ -123,6 +123,7 @@ LiveBlocks read_cells_and_live(const Container& container, const std::vector<Lev
 std::vector<TreeLevel> read_levels(const Container& container,
                                    const std::vector<LevelFrame>& frames, unsigned threads) {
   std::vector<TreeLevel> levels;
+  levels.reserve(frames.size());
   for (const LevelFrame& frame : frames) levels.push_back(frame.level);
   const LiveBlocks live = read_cells_and_live(container, frames, levels, threads);
   for (std::uint32_t i = 0; i < frames.size(); ++i) {

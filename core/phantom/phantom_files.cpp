@@ -51,7 +51,7 @@ void write_camera_list(const std::filesystem::path& file, const std::vector<Phan
   std::vector<std::filesystem::path> images;
   for (const PhantomView& view : views) {
     cameras.push_back(view.camera);
-    images.emplace_back(folder + "/" + view.camera.name + ending);
+    images.push_back(std::filesystem::path(folder) / (view.camera.name + ending));
   }
   if (!cameras.empty()) write_cameras(cameras, "transforms", file, images);
 }

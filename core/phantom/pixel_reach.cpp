@@ -53,6 +53,7 @@ void mark_hull(const Camera& camera, const std::vector<glm::vec3>& hull,
 
 std::vector<glm::vec3> box_corners(const glm::vec3& lower, const glm::vec3& upper) {
   std::vector<glm::vec3> corners;
+  corners.reserve(8);
   for (int k = 0; k < 8; ++k) {
     corners.emplace_back((k & 1) != 0 ? upper.x : lower.x, (k & 2) != 0 ? upper.y : lower.y,
                          (k & 4) != 0 ? upper.z : lower.z);

@@ -129,6 +129,7 @@ std::vector<Camera> read_cameras(const fs::path& file_or_folder,
 
 std::vector<std::string> camera_format_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(kFormats));
   for (const Format& format : kFormats) names.emplace_back(format.name);
   return names;
 }

@@ -83,7 +83,7 @@ std::string camera_name(std::string_view image, const std::string& place) {
   const std::size_t slash = image.find_last_of("/\\");
   const std::filesystem::path file(slash == std::string_view::npos ? image
                                                                    : image.substr(slash + 1));
-  const std::string name = (has_ending(file) ? file.stem() : file).string();
+  std::string name = (has_ending(file) ? file.stem() : file).string();
   if (name.empty() || name == "." || name == ".." || name.size() > kLongestName ||
       has_control_characters(image))
     refuse(place, in_quotes(image) + " is no name of an image; correct it");

@@ -117,6 +117,7 @@ std::vector<fs::path> entries_of(const fs::path& folder, const std::string& stag
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
+  paths.reserve(found.size());
   for (auto& [time, path] : found) paths.push_back(std::move(path));
   return paths;
 }

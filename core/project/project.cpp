@@ -85,9 +85,10 @@ void check_schema(const fs::path& file, const Json& json) {
 
 void read_options(const Json& groups, Recipe& recipe) {
   for (const auto& [stage, options] : groups.items()) {
+    const std::string prefix = stage + ".";
     for (const auto& [name, value] : options.items()) {
       const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-      set_option(recipe, stage + "." + name, text);
+      set_option(recipe, prefix + name, text);
     }
   }
 }

@@ -43,7 +43,7 @@ void add_view(const TreeLevel& level, const TileTexels& tiles, std::uint32_t cel
       const std::size_t colour = std::size_t(level.colour_codes.first) + level.colour_indices[at];
       if (alpha >= tiles.tile_count() || colour >= tiles.tile_count()) continue;
       add_block(&tiles.texels[16 * colour], &tiles.texels[16 * alpha], weight,
-                texture + 4 * row * level.texels + 4 * column, level.texels);
+                texture + std::ptrdiff_t(4) * (row * level.texels + column), level.texels);
     }
   }
 }

@@ -135,7 +135,7 @@ class AlongX {
         const Float4 after = hats_[group].cumulative(right_edge);
         const Float4 weight = passes_.column_px * (after - before_[row][group]);
         before_[row][group] = after;
-        const Float4* texel = texture_ + row * 4 * kGroups + 4 * group;
+        const Float4* texel = texture_ + std::ptrdiff_t(4) * (row * kGroups + group);
         for (int i = 0; i < 4; ++i) mean += weight[i] * texel[i];
       }
       means[row] = mean;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -143,6 +144,16 @@ TEST_F(BadInput, AFolderThatCannotBeWritten) {
                                 folder.path());
   if (!end) GTEST_SKIP() << "no mount namespaces here";
   expect_refusal(*end, "closed/p: cannot be created");
+}
+
+TEST_F(BadInput, AFolderThatTheUserMayNotWrite) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  fs::create_directory(folder / "closed");
+  fs::permissions(folder / "closed", fs::perms::owner_read | fs::perms::owner_exec);
+  const auto end = bosk({"new", "closed/p", "capture/photos", "--cameras",
+                         "capture/transforms.json", "--mattes", "capture/mattes", "--quiet"});
+  fs::permissions(folder / "closed", fs::perms::owner_all);
+  expect_refusal(end, "closed/p: cannot be created");
 }
 
 TEST_F(BadInput, AnOutputInAFolderThatIsNotThere) {

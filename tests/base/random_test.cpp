@@ -32,7 +32,7 @@ TEST(Random, UniformFillsItsRangeEvenly) {
     ++bins[std::size_t((value + 2.0) * 2.0)];
   }
   // A bin's count has a standard deviation of 95; 5 of them
-  for (const int count : bins) EXPECT_NEAR(count, kDraws / 10, 475);
+  for (const int count : bins) EXPECT_NEAR(count, kDraws / 10.0, 475);
 }
 
 TEST(Random, BelowReachesEachNumberEvenly) {

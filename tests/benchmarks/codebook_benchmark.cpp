@@ -179,6 +179,7 @@ std::vector<Alphas> coded_alphas(const std::vector<Alphas>& blocks, AlphaRule ru
     }
   }
   std::vector<Alphas> coded;
+  coded.reserve(indices.size());
   for (const std::uint16_t index : indices) coded.push_back(codewords[index]);
   return coded;
 }

@@ -9,7 +9,7 @@
 namespace bosk {
 namespace {
 
-BillboardLevel level_of(std::vector<BlockTexels> blocks) {
+BillboardLevel level_of(const std::vector<BlockTexels>& blocks) {
   BillboardLevel level;
   level.views = {0};
   level.cells.resize(blocks.size());

@@ -39,7 +39,7 @@ TEST(TrainCodebook, IsExactWhenFewerVectorsDiffer) {
   EXPECT_EQ(codebook.error, 0.0);
   const auto indices = encode(vectors, search_table(codebook), quiet);
   for (std::size_t i = 0; i < 80; ++i) {
-    const auto codeword = std::span(codebook.values).subspan(indices[i] * 5u, 5);
+    const auto codeword = std::span(codebook.values).subspan(std::size_t(indices[i]) * 5, 5);
     EXPECT_EQ(distance(vectors, i, codeword), 0.0);
   }
 }
@@ -120,7 +120,8 @@ TEST(TrainCodebook, IsAsGoodAsFromPickedVectorsWhereNothingClusters) {
   Progress quiet;
   const TrainingOptions options{.codewords = 256};
   const Codebook seeded = train_codebook(vectors, options, quiet);
-  const std::vector<float> picked(vectors.values.begin(), vectors.values.begin() + 256 * 8);
+  const std::vector<float> picked(vectors.values.begin(),
+                                  vectors.values.begin() + std::ptrdiff_t(256) * 8);
   const Codebook random = refine_codebook(vectors, picked, options, quiet);
   EXPECT_LT(seeded.error, 1.01 * random.error);
 }

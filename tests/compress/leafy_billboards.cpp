@@ -67,8 +67,9 @@ glm::u8vec4 texel(const std::vector<Leaf>& leaves, const glm::dvec3& forward, do
   glm::vec3 sum(0.0f);
   int hits = 0;
   for (int i = 0; i < kSubsamples * kSubsamples; ++i) {
-    const double u = x + (i % kSubsamples + 0.5) / kSubsamples * step;
-    const double v = y + (i / kSubsamples + 0.5) / kSubsamples * step;
+    const glm::ivec2 place(i % kSubsamples, i / kSubsamples);
+    const double u = x + (place.x + 0.5) / kSubsamples * step;
+    const double v = y + (place.y + 0.5) / kSubsamples * step;
     Sample sample;
     for (const Leaf& leaf : leaves)
       meet(leaf, u * right - v * up - 10.0 * forward, forward, sample);
@@ -100,9 +101,9 @@ BillboardLevel leafy_level(const LeafyOptions& options) {
       const glm::dvec3 forward(std::cos(angle), std::sin(angle), 0.0);
       const bool clear = random.uniform() < options.pruned;
       for (int t = 0; t < options.texels * options.texels; ++t) {
-        const double x = -0.5 + step * (t % options.texels);
-        const double y = -0.5 + step * (t / options.texels);
-        const auto shown = texel(leaves, forward, x, y, step, options, random);
+        const glm::ivec2 place(t % options.texels, t / options.texels);
+        const glm::dvec2 corner = step * glm::dvec2(place) - 0.5;
+        const auto shown = texel(leaves, forward, corner.x, corner.y, step, options, random);
         level.texture.push_back(clear ? glm::u8vec4(0) : shown);
       }
     }

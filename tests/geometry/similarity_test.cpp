@@ -18,6 +18,7 @@ std::vector<dvec3> random_points(int count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-5.0, 5.0);
   std::vector<dvec3> points;
+  points.reserve(std::size_t(count));
   for (int i = 0; i < count; ++i)
     points.emplace_back(uniform(random), uniform(random), uniform(random));
   return points;
@@ -25,6 +26,7 @@ std::vector<dvec3> random_points(int count, unsigned seed) {
 
 std::vector<dvec3> images(const Similarity& target_from_source, const std::vector<dvec3>& points) {
   std::vector<dvec3> result;
+  result.reserve(points.size());
   for (const dvec3& point : points) result.push_back(target_from_source * point);
   return result;
 }

@@ -13,9 +13,8 @@ namespace fs = std::filesystem;
 
 // Names would collide: "noise.jpg" and "noise.png" are one photo to the importer.
 fs::path under_own_name(const fs::path& folder, const DamagedPhoto& photo, std::size_t number) {
-  const fs::path link =
-      folder / (std::to_string(number) + "_" + fs::path(photo.name).stem().string() +
-                fs::path(photo.name).extension().string());
+  fs::path link = folder / (std::to_string(number) + "_" + fs::path(photo.name).stem().string() +
+                            fs::path(photo.name).extension().string());
   fs::rename(folder / photo.name, link);
   return link;
 }

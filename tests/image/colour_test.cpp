@@ -35,7 +35,8 @@ TEST(Colour, LabOfWhiteAndOfThePrimaries) {
 
 TEST(Colour, LabGoesThereAndBack) {
   for (int i = 0; i < 125; ++i) {
-    const glm::vec3 srgb(float(i % 5) / 4.0f, float(i / 5 % 5) / 4.0f, float(i / 25) / 4.0f);
+    const glm::ivec3 step(i % 5, i / 5 % 5, i / 25);
+    const glm::vec3 srgb = glm::vec3(step) / 4.0f;
     const glm::vec3 back = srgb_from_lab(lab_from_srgb(srgb));
     // 1e-6 in linear light, times the sRGB curve's slope of 12.92 at black
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], srgb[c], 2e-5f);

@@ -108,10 +108,10 @@ TEST(SsimMap, AgreesWithTheSumOverTheWindow) {
   for (const glm::ivec2 at :
        {glm::ivec2(0, 0), glm::ivec2(8, 6), glm::ivec2(16, 12), glm::ivec2(2, 11)}) {
     double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
-    for (int dy = -5; dy <= 5; ++dy) {
-      for (int dx = -5; dx <= 5; ++dx) {
-        const double w = window[std::size_t(dx + 5)] * window[std::size_t(dy + 5)] / (sum * sum);
-        const int x = mirrored(at.x + dx, 17), y = mirrored(at.y + dy, 13);
+    for (int row = 0; row <= 10; ++row) {
+      for (int column = 0; column <= 10; ++column) {
+        const double w = window[std::size_t(column)] * window[std::size_t(row)] / (sum * sum);
+        const int x = mirrored(at.x + column - 5, 17), y = mirrored(at.y + row - 5, 13);
         const double p = a(x, y).g, q = b(x, y).g;
         ma += w * p, mb += w * q, aa += w * p * p, bb += w * q * q, ab += w * p * q;
       }

@@ -74,7 +74,8 @@ Matte matte_of(const BallScene& scene, const Photo& photo) {
     for (int x = 0; x < BallScene::kSize; ++x) {
       glm::vec4 sum(0.0f);  // premultiplied
       for (int i = 0; i < kRays * kRays; ++i) {
-        const glm::dvec2 place((i % kRays + 0.5) / kRays - 0.5, (i / kRays + 0.5) / kRays - 0.5);
+        const glm::ivec2 ray_place(i % kRays, i / kRays);
+        const glm::dvec2 place = (glm::dvec2(ray_place) + 0.5) / double(kRays) - 0.5;
         const Ray ray = world_ray(photo.camera, glm::dvec2(x, y) + place).value();
         const glm::vec4 straight = scene.along(ray.origin, ray.direction);
         sum += glm::vec4(glm::vec3(straight) * straight.a, straight.a);

@@ -72,7 +72,7 @@ TEST(CarveHull, DropsWhatAnyOnePhotoSeesEmpty) {
     const glm::dvec3 centre = cube.origin + (glm::dvec3(cell) + 0.5) * edge;
     // Half a cell's diagonal at 4 m or more and one pixel for the whole-pixel footprint.
     const double slack_px = 0.87 * edge * BallScene::kFocalPx / (BallScene::kDistance - 1.5) + 1.0;
-    EXPECT_GE(project(photos[3].camera, centre)->x, BallScene::kSize / 2 - 0.5 - slack_px);
+    EXPECT_GE(project(photos[3].camera, centre)->x, BallScene::kSize / 2.0 - 0.5 - slack_px);
   }
 }
 

@@ -19,7 +19,7 @@ Billboards two_cells() {
   level.max_cell_px = 3.0f;
   level.views = {0, 1};
   level.cells = {3, 4};  // z = 0 and z = 1
-  level.texture.resize(2 * 2 * 16);
+  level.texture.resize(std::size_t(2) * 2 * 16);
   billboards.levels = {level};
   return billboards;
 }

@@ -45,6 +45,7 @@ TEST(RankLists, AFollowerTradesPlacesHalfWayToTheFront) {
 TEST(RunParallel, RunsEveryTaskOnceAndThrowsTheFirstFailureOfTheList) {
   std::vector<int> runs(20, 0);
   std::vector<std::function<void()>> tasks;
+  tasks.reserve(runs.size());
   for (int& run : runs) tasks.push_back([&run] { ++run; });
   run_parallel(tasks, 4);
   run_parallel(tasks, 0);
@@ -60,7 +61,7 @@ TEST(RunParallel, RunsEveryTaskOnceAndThrowsTheFirstFailureOfTheList) {
 }
 
 TEST(IndexOrder, ViewOrderAndBackIsTheSame) {
-  for (const std::size_t blocks : {1, 4}) {
+  for (const std::size_t blocks : {1u, 4u}) {
     const IndexShape shape{131, 3, blocks};
     std::vector<std::uint16_t> values(shape.count()), back(shape.count());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint16_t(i);
@@ -72,7 +73,7 @@ TEST(IndexOrder, ViewOrderAndBackIsTheSame) {
 }
 
 TEST(IndexChunks, ShareALevelWithoutGapOrOverlap) {
-  for (const std::size_t per_cell : {1, 12, 96, 3'000'000}) {
+  for (const std::size_t per_cell : {1u, 12u, 96u, 3'000'000u}) {
     const IndexShape shape{per_cell > 1000 ? 3u : 2'500'000u / std::uint32_t(per_cell), per_cell,
                            1};
     std::size_t next = 0;

@@ -23,11 +23,12 @@ CodeAtlas make_atlas(std::uint32_t tiles, Random& random) {
                  slope_y = 60.0 * (random.uniform() - 0.5);
     const double warmth = 30.0 * random.uniform();
     for (int t = 0; t < 16; ++t) {
-      const double light = bright + slope_x * (t % 4 - 1.5) / 2 + slope_y * (t / 4 - 1.5) / 2 +
+      const int column = t % 4, row = t / 4;
+      const double light = bright + slope_x * (column - 1.5) / 2 + slope_y * (row - 1.5) / 2 +
                            8.0 * random.uniform();
-      const int x = int(tile) % across * 4 + t % 4, y = int(tile) / across * 4 + t / 4;
-      atlas.rgba[std::size_t(y * atlas.width_px + x)] = {byte(light * 0.8 + warmth), byte(light),
-                                                         byte(light * 0.5), byte(light * 1.1)};
+      const int x = int(tile) % across * 4 + column, y = int(tile) / across * 4 + row;
+      atlas.rgba[std::size_t(y) * std::size_t(atlas.width_px) + std::size_t(x)] = {
+          byte(light * 0.8 + warmth), byte(light), byte(light * 0.5), byte(light * 1.1)};
     }
   }
   atlas.bc3.resize(atlas.rgba.size());

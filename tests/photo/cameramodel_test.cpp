@@ -82,13 +82,16 @@ TEST(Cameramodel, TakesDoubleQuotesTuplesNamesAndOldKeys) {
 }
 
 TEST(Cameramodel, RefusesLensesItLacksByName) {
-  for (const std::string model :
-       {"OPENCV12", "CAHVOR", "SPLINED_STEREOGRAPHIC_order=3_Nx=30_Ny=18"})
+  const auto expect_refused = [](const std::string& model) {
     EXPECT_THAT(
         refusal_of_model("{'lensmodel':'LENSMODEL_" + model + "','intrinsics':[1,1,1,1]," + kRest),
         HasSubstr("\"LENSMODEL_" + model +
                   "\" is not supported; convert it by "
                   "mrcal-convert-lensmodel"));
+  };
+  expect_refused("OPENCV12");
+  expect_refused("CAHVOR");
+  expect_refused("SPLINED_STEREOGRAPHIC_order=3_Nx=30_Ny=18");
 }
 
 TEST(Cameramodel, RefusesBrokenText) {
@@ -139,6 +142,7 @@ TEST(Cameramodel, MrcalProjectsWhatWeWriteToTheSamePixels) {
   write_cameras(cameras, "cameramodel", folder.path());
   for (const Camera& camera : cameras) {
     std::vector<dvec3> points;
+    points.reserve(20);
     for (int i = 0; i < 20; ++i)
       points.push_back(inverse(camera.camera_from_world) * random_point_in_camera(random));
     const auto pixels = project_with_mrcal(folder.path() / (camera.name + ".cameramodel"), points);

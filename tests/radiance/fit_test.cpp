@@ -24,6 +24,7 @@ struct Block {
 RadianceVolume block_volume(int degree, float extinction) {
   const BallScene scene;
   std::vector<glm::ivec3> cells;
+  cells.reserve(64);
   for (int i = 0; i < 64; ++i) cells.emplace_back(2 + i % 4, 2 + i / 4 % 4, 2 + i / 16);
   RadianceVolume volume{scene.centre() - 1.2, 2.4, SparseGrid(3, cells), degree, {}, {}};
   volume.extinction.assign(64, extinction);

@@ -17,13 +17,13 @@ TreeModel chequered(const glm::u8vec4& coarse) {
   model.atlas =
       toy::plain_atlas({{60, 120, 30, 100}, {100, 160, 70, 100}, {80, 140, 50, 161}, coarse});
   std::vector<std::uint64_t> cells;
-  for (std::uint64_t code = 0; code < 32 * 32 * 32; ++code) {
+  for (std::uint64_t code = 0; code < std::uint64_t(32) * 32 * 32; ++code) {
     const glm::uvec3 cell = cell_from_morton(code);
     if (cell.x / 8 % 3 && cell.y / 8 % 3 && cell.z / 8 % 3) cells.push_back(code);
   }
   const auto colour = [&](int level, std::uint64_t code) {
     const glm::uvec3 cell = cell_from_morton(code);
-    return std::uint16_t(level == 5 ? (cell.x + cell.y + cell.z) % 2 : 7 - level - 1);
+    return std::uint16_t(level == 5 ? (cell.x + cell.y + cell.z) % 2 : unsigned(6 - level));
   };
   for (int level = 5; level >= 3; --level) {
     model.levels[std::size_t(level - 3)] =

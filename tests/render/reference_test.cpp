@@ -13,7 +13,8 @@
 namespace bosk {
 namespace {
 
-Image<glm::vec4> draw(const TreeModel& model, const Camera& camera, RenderOptions options = {}) {
+Image<glm::vec4> draw(const TreeModel& model, const Camera& camera,
+                      const RenderOptions& options = {}) {
   Progress quiet;
   return render_tree(PreparedTree(model), camera, options, quiet);
 }
@@ -68,9 +69,9 @@ TEST(ReferenceRenderer, DrawsAnOpaqueSquareWhereItIsAndNothingElse) {
 
 TEST(ReferenceRenderer, ShowsTheTextureUprightAndUnmirrored) {
   TreeModel model = toy::one_billboard();
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y)  // red grows to the right, green downwards
-      model.atlas.rgba[std::size_t(y * 64 + x)] = glm::u8vec4(80 * x, 80 * y, 0, 255);
+  for (std::size_t x = 0; x < 4; ++x)
+    for (std::size_t y = 0; y < 4; ++y)  // red grows to the right, green downwards
+      model.atlas.rgba[y * 64 + x] = glm::u8vec4(80 * x, 80 * y, 0, 255);
   const Image<glm::vec4> image = draw(model, toy::look_at({0, -10, 1}, {0, 0, 1}, 200, 100, 80));
   EXPECT_LT(image(32, 22).r, 0.05f);
   EXPECT_GT(image(67, 22).r, 0.9f);
@@ -211,16 +212,15 @@ TEST(ReferenceRenderer, ShowsWhatAGpuReadsFromTheBc3Atlas) {
   gpu.gpu_texels = true;
   EXPECT_THROW(draw(model, camera, gpu), Error);  // not there yet
   // Smooth tiles, which BC3 holds well, of two-colour ramps
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x)
-      model.atlas.rgba[std::size_t(64 * y + x)] = glm::u8vec4(x * 4, y * 4, 60, 255 - 2 * x);
-  model.atlas.bc3.resize(256 * 16);
-  for (int tile = 0; tile < 256; ++tile) {
+  for (std::size_t y = 0; y < 64; ++y)
+    for (std::size_t x = 0; x < 64; ++x)
+      model.atlas.rgba[64 * y + x] = glm::u8vec4(x * 4, y * 4, 60, 255 - 2 * x);
+  model.atlas.bc3.resize(std::size_t(256) * 16);
+  for (std::size_t tile = 0; tile < 256; ++tile) {
     glm::u8vec4 texels[16];
-    for (int i = 0; i < 16; ++i)
-      texels[i] =
-          model.atlas.rgba[std::size_t((4 * (tile / 16) + i / 4) * 64 + 4 * (tile % 16) + i % 4)];
-    squish::Compress(&texels[0].r, &model.atlas.bc3[std::size_t(16 * tile)], squish::kDxt5);
+    for (std::size_t i = 0; i < 16; ++i)
+      texels[i] = model.atlas.rgba[(4 * (tile / 16) + i / 4) * 64 + 4 * (tile % 16) + i % 4];
+    squish::Compress(&texels[0].r, &model.atlas.bc3[16 * tile], squish::kDxt5);
   }
   const Image<glm::vec4> exact = draw(model, camera), seen = draw(model, camera, gpu);
   EXPECT_NE(exact, seen);

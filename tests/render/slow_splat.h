@@ -22,7 +22,7 @@ inline glm::dvec4 texture_at(const std::vector<Float4>& texture, int texels, dou
                y = std::clamp(v - 0.5, 0.0, texels - 1.0);
   const int i = std::min(int(x), texels - 2), j = std::min(int(y), texels - 2);
   const auto texel = [&](int row, int column) {
-    const Float4 t = texture[std::size_t(row * texels + column)];
+    const Float4 t = texture[std::size_t(row) * std::size_t(texels) + std::size_t(column)];
     return glm::dvec4(t[0], t[1], t[2], t[3]);
   };
   return glm::mix(glm::mix(texel(j, i), texel(j, i + 1), x - i),

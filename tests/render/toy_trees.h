@@ -26,7 +26,7 @@ inline std::uint64_t morton(glm::uvec3 cell) {
 inline CodeAtlas plain_atlas(const std::vector<glm::u8vec4>& palette) {
   CodeAtlas atlas;
   atlas.width_px = atlas.height_px = 64;
-  atlas.rgba.resize(64 * 64, glm::u8vec4(0));
+  atlas.rgba.resize(std::size_t(64) * 64, glm::u8vec4(0));
   for (std::size_t tile = 0; tile < palette.size(); ++tile)
     for (std::size_t y = 0; y < 4; ++y)
       for (std::size_t x = 0; x < 4; ++x)

@@ -46,6 +46,7 @@ TEST(ViewPicker, FindsTheTwoViewsNearestInAngle) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   std::vector<glm::dvec3> positions;
+  positions.reserve(150);
   for (int i = 0; i < 150; ++i)
     positions.push_back(5.0 * glm::dvec3(normal(random), normal(random), normal(random)));
   const TreeModel model = with_views(positions);
