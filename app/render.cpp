@@ -49,7 +49,8 @@ struct GlStand {
       : forest({std::move(tree)}, {{}}), renderer(forest, {.atlas = atlas}) {}
 
   Image<glm::vec4> draw(const Camera& camera, const RenderOptions& options) {
-    const OffscreenTarget target(camera.lens.width_px, camera.lens.height_px);
+    const OffscreenTarget target(camera.lens.width_px, camera.lens.height_px,
+                                 OffscreenTarget::Precision::bits_32);
     target.bind();
     target.clear(glm::vec4(0.0f));
     forest.draw_list(viewpoint_of(camera), draw_options(options), 0, list);
