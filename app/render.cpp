@@ -36,7 +36,7 @@ void make_folder(const fs::path& folder) {
 // Draws one camera's picture, straight colour.
 using Painter = std::function<Image<glm::vec4>(const Camera&)>;
 
-Painter cpu_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options,
+Painter cpu_painter(const std::shared_ptr<const PreparedTree>& tree, const RenderOptions& options,
                     Progress& progress) {
   return [=, &progress](const Camera& camera) {
     return render_tree(*tree, camera, options, progress);
