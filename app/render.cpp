@@ -36,7 +36,7 @@ void make_folder(const fs::path& folder) {
 // Draws one camera's picture, straight colour.
 using Painter = std::function<Image<glm::vec4>(const Camera&)>;
 
-Painter cpu_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options,
+Painter cpu_painter(const std::shared_ptr<const PreparedTree>& tree, const RenderOptions& options,
                     Progress& progress) {
   return [=, &progress](const Camera& camera) {
     return render_tree(*tree, camera, options, progress);
@@ -49,7 +49,8 @@ struct GlStand {
       : forest({std::move(tree)}, {{}}), renderer(forest, {.atlas = atlas}) {}
 
   Image<glm::vec4> draw(const Camera& camera, const RenderOptions& options) {
-    const OffscreenTarget target(camera.lens.width_px, camera.lens.height_px);
+    const OffscreenTarget target(camera.lens.width_px, camera.lens.height_px,
+                                 OffscreenTarget::Precision::bits_32);
     target.bind();
     target.clear(glm::vec4(0.0f));
     forest.draw_list(viewpoint_of(camera), draw_options(options), 0, list);

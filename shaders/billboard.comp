@@ -137,7 +137,7 @@ void choose_textures(Level level, uint cell, vec3 centre, vec3 to_eye, uint laye
                      1.0);
   if (colours == kPrunedCells) {
     record.tint.rgb = no_a || no_b ? vec3(0.95, 0.6, 0.1) : vec3(0.55);
-    if (no_a && no_b) record.tint = vec4(0.9, 0.1, 0.1, 0.5);
+    if (no_a && no_b) record.tint = vec4(0.9, 0.1, 0.1, 0.25);
     if (no_a && no_b) record.kind |= kSolid;
   } else if (no_a && no_b) {
     record.kind = 0u;

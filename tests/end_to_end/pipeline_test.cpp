@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,38 @@ TEST_F(Pipeline, PhotosBecomeAPackageAndPicturesOfNewViews) {
   }
   EXPECT_GT(bytes, 0u);
   EXPECT_LT(bytes, info.at("bytes").get<std::size_t>());
+}
+
+// Environment variable of this process and those that it starts, for a while.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+  ~Variable() { unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+};
+
+TEST_F(Pipeline, PicturesAreDrawnThroughOpenGlOrAMessageSaysWhatToInstall) {
+  ASSERT_EQ(make_project("p", "mattes").status, 0);
+  ASSERT_EQ(bosk({"run", "p", "-o", "t.bosk", "--quiet"}).status, 0);
+  const std::vector<std::string> render = {
+      "render", "--gl", "t.bosk", "--cameras", "capture/transforms_heldout.json", "-o", "pictures"};
+  {
+    const Variable no_driver("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere");
+    const ProgramEnd refused = bosk(render);
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_THAT(refused.err, HasSubstr("libgl1-mesa-dri"));
+    EXPECT_THAT(refused.err, HasSubstr("without --gl"));
+    EXPECT_FALSE(fs::exists(folder / "pictures"));
+  }
+  const ProgramEnd drawn = bosk(render);
+  if (drawn.status == 3) GTEST_SKIP() << drawn.err;
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_TRUE(fs::exists(folder / "pictures" / "000.png"));
+  EXPECT_TRUE(fs::exists(folder / "pictures" / "001.png"));
 }
 
 TEST_F(Pipeline, StrokesOnOnePhotoAreEnough) {

@@ -9,7 +9,7 @@
 
 namespace bosk {
 
-OffscreenTarget::OffscreenTarget(int width_px, int height_px)
+OffscreenTarget::OffscreenTarget(int width_px, int height_px, Precision precision)
     : width_px_(width_px),
       height_px_(height_px),
       colour_(GlObject::Kind::texture_2d),
@@ -23,7 +23,8 @@ OffscreenTarget::OffscreenTarget(int width_px, int height_px)
                 " px is larger than this OpenGL draws (" + std::to_string(most) +
                 " px); render a smaller one or without --gl");
   const int width = std::max(width_px, 1), height = std::max(height_px, 1);
-  glTextureStorage2D(colour_.name(), 1, GL_RGBA16F, width, height);
+  const GLenum format = precision == Precision::bits_16 ? GL_RGBA16F : GL_RGBA32F;
+  glTextureStorage2D(colour_.name(), 1, format, width, height);
   glTextureStorage2D(depth_.name(), 1, GL_DEPTH_COMPONENT32F, width, height);
   glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
   glNamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);

@@ -7,12 +7,15 @@
 
 namespace bosk {
 
-// A picture to draw into without a window: RGBA16F colour, 32-bit floating-point depth. A size of
-// zero is drawn to and read as an empty picture.
+// A picture to draw into without a window: floating-point colour, 32-bit floating-point depth. A
+// size of zero is drawn to and read as an empty picture.
 class OffscreenTarget {
  public:
+  // Bits of a colour channel. 16 serve a screen; every billboard is rounded to them, and what is
+  // fainter than a 2000th of what lies behind it is lost.
+  enum class Precision { bits_16, bits_32 };
   // Throws Error when the driver cannot hold a picture so large.
-  OffscreenTarget(int width_px, int height_px);
+  OffscreenTarget(int width_px, int height_px, Precision precision = Precision::bits_16);
 
   // Makes it the framebuffer that is drawn to, and its whole the viewport.
   void bind() const;

@@ -44,15 +44,15 @@ Camera bent(Camera camera, LensModel model) {
 // Blocks of four texels that BC3 holds nearly: ramps between two colours.
 CodeAtlas ramp_atlas() {
   CodeAtlas atlas = toy::noise_atlas(1);
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x)
-      atlas.rgba[std::size_t(64 * y + x)] = glm::u8vec4(x * 4, y * 4, 60, 255 - 2 * x);
-  atlas.bc3.resize(64 * 64);
-  for (int tile = 0; tile < 256; ++tile) {
+  for (std::size_t y = 0; y < 64; ++y)
+    for (std::size_t x = 0; x < 64; ++x)
+      atlas.rgba[64 * y + x] = glm::u8vec4(x * 4, y * 4, 60, 255 - 2 * x);
+  atlas.bc3.resize(std::size_t(64) * 64);
+  for (std::size_t tile = 0; tile < 256; ++tile) {
     glm::u8vec4 texels[16];
-    for (int i = 0; i < 16; ++i)
-      texels[i] = atlas.rgba[std::size_t((4 * (tile / 16) + i / 4) * 64 + 4 * (tile % 16) + i % 4)];
-    squish::Compress(&texels[0].r, &atlas.bc3[std::size_t(16 * tile)], squish::kDxt5);
+    for (std::size_t i = 0; i < 16; ++i)
+      texels[i] = atlas.rgba[64 * (4 * (tile / 16) + i / 4) + 4 * (tile % 16) + i % 4];
+    squish::Compress(&texels[0].r, &atlas.bc3[16 * tile], squish::kDxt5);
   }
   return atlas;
 }

@@ -38,9 +38,14 @@ TEST_F(ForestRendererTest, DrawsAPictureOfOnePixel) {
 
 TEST_F(ForestRendererTest, DrawsAHundredThousandTreesOfOneBillboard) {
   std::vector<TreeInstance> instances;
-  for (int i = 0; i < 100'000; ++i)
-    instances.push_back({0, {2.0 * (i % 400) - 400.0, 2.0 * (i / 400), 0.0}, 0.1 * i, 0.4, {}});
-  for (TreeInstance& instance : instances) instance.tint = glm::vec3(0.5f, 1.0f, 0.25f);
+  instances.reserve(100'000);
+  for (int row = 0; row < 250; ++row)
+    for (int column = 0; column < 400; ++column)
+      instances.push_back({0,
+                           {2.0 * column - 400.0, 2.0 * row, 0.0},
+                           0.1 * column,
+                           0.4,
+                           glm::vec3(0.5f, 1.0f, 0.25f)});
   const toy::Grove grove(toy::one_billboard(), std::move(instances));
   toy::Shot shot{toy::look_at({0, -300, 120}, {0, 250, 0}, 60, 64, 48)};
   const Image<glm::vec4> image = toy::gl_picture(grove.forest, shot);
@@ -151,7 +156,7 @@ TEST_F(ForestRendererTest, DrawsTreesOfDifferentAtlases) {
   TreeModel green = toy::one_billboard(), red = toy::one_billboard(8);
   green.atlas = toy::plain_atlas({{0, 255, 0, 255}});
   red.atlas.width_px = red.atlas.height_px = 128;
-  red.atlas.rgba.assign(128 * 128, glm::u8vec4(255, 0, 0, 255));
+  red.atlas.rgba.assign(std::size_t(128) * 128, glm::u8vec4(255, 0, 0, 255));
   red.levels[0].alpha_codes.first = red.levels[0].colour_codes.first = 700;
   const Forest forest(
       {std::make_shared<PreparedTree>(green), std::make_shared<PreparedTree>(red)},
