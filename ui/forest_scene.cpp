@@ -1,0 +1,59 @@
+#include "ui/forest_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/render/scatter.h"
+
+namespace bosk {
+namespace {
+
+std::vector<std::shared_ptr<const PreparedTree>> prepared_of(const SceneTrees& trees) {
+  std::vector<std::shared_ptr<const PreparedTree>> prepared;
+  for (const auto& tree : trees) prepared.emplace_back(tree, &tree->prepared);
+  return prepared;
+}
+
+}  // namespace
+
+SceneTree::SceneTree(std::string tree_name, TreeModel tree_model)
+    : name(std::move(tree_name)),
+      model(std::move(tree_model)),
+      prepared(model),
+      crown_radius_m(crown_radius(model)) {}
+
+ForestScene::ForestScene(SceneTrees scene_trees, std::vector<TreeInstance> instances,
+                         Terrain ground)
+    : trees(std::move(scene_trees)),
+      terrain(ground),
+      forest(prepared_of(trees), std::move(instances)) {
+  // Enclose feet, crowns and tops
+  glm::dvec3 low(INFINITY), high(-INFINITY);
+  for (const TreeInstance& instance : forest.instances()) {
+    const SceneTree& tree = *trees[instance.tree];
+    const double reach = instance.scale * tree.crown_radius_m;
+    const double top = instance.scale * tree.model.metadata.height_m;
+    low = glm::min(low, instance.place - glm::dvec3(reach, reach, 0.0));
+    high = glm::max(high, instance.place + glm::dvec3(reach, reach, top));
+  }
+  if (forest.instances().empty()) low = high = glm::dvec3(0.0);
+  middle = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y), low.z};
+  radius_m = 0.5 * std::max(high.x - low.x, high.y - low.y);
+  height_m = high.z - low.z;
+}
+
+ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle) {
+  const double slope = std::tan(0.5 * view_angle);
+  const double aspect = double(size_px.x) / double(std::max(1, size_px.y));
+  const double height = std::max(scene.height_m, 0.1), radius = std::max(scene.radius_m, 0.05);
+  const double back =
+      1.1 * std::max(0.5 * height / slope, radius / (slope * aspect)) + 0.5 * radius;
+  const bool is_row = scene.forest.instances().size() <= scene.trees.size();
+  const glm::dvec3 at = scene.middle + glm::dvec3(0.0, 0.0, (is_row ? 0.5 : 0.3) * height);
+  const glm::dvec3 eye =
+      is_row ? at - glm::dvec3(0.0, back, 0.0)
+             : scene.middle + glm::dvec3(0.0, -radius - 1.5 * height, 1.1 * height + 0.1 * radius);
+  return looking_at(ViewCamera{}, eye, at);
+}
+
+}  // namespace bosk

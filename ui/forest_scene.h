@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/render/forest.h"
+#include "core/render/terrain.h"
+#include "ui/camera_controls.h"
+
+namespace bosk {
+
+// A package made ready for drawing.
+struct SceneTree {
+  SceneTree(std::string tree_name, TreeModel tree_model);
+  SceneTree(const SceneTree&) = delete;
+  SceneTree& operator=(const SceneTree&) = delete;
+
+  std::string name;
+  TreeModel model;
+  PreparedTree prepared;
+  double crown_radius_m = 0.0;
+};
+using SceneTrees = std::vector<std::shared_ptr<const SceneTree>>;
+
+// All that a viewer shows: trees where they stand, on the ground.
+struct ForestScene {
+  ForestScene(SceneTrees scene_trees, std::vector<TreeInstance> instances, Terrain ground);
+
+  SceneTrees trees;
+  Terrain terrain;
+  Forest forest;
+  // An upright cylinder that holds the forest, about.
+  glm::dvec3 middle{0.0};  // of its foot
+  double radius_m = 0.0, height_m = 0.0;
+};
+
+// Outside the scene, from the south: all of a single tree at the height of its middle, a forest
+// from above its crowns.
+ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle);
+
+}  // namespace bosk

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+namespace bosk {
+
+// What the last frame took, and how many billboards it drew.
+struct FrameCost {
+  double ms = 0.0;
+  std::uint64_t billboards = 0;
+};
+
+inline constexpr std::uint64_t kLeastBudget = 2000;
+
+// How many billboards the next frame may draw so that frames come to take `target_ms`. Each call
+// changes `budget` by at most a factor of 2 down and 1.25 up, and not at all within a tenth of the
+// target: frames that jitter leave it alone. It grows no further than a quarter above what a frame
+// drew, so that a sudden wide view isn't met with a budget from an empty one; at most `most`
+// (0: no bound).
+std::uint64_t adapted_budget(std::uint64_t budget, const FrameCost& last, double target_ms,
+                             std::uint64_t most);
+
+}  // namespace bosk
