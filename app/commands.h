@@ -19,6 +19,7 @@ void add_new_command(CLI::App& app, Request& request);
 void add_stage_commands(CLI::App& app, Request& request);  // matte ... pack
 void add_run_command(CLI::App& app, Request& request);
 void add_render_command(CLI::App& app, Request& request);
+void add_view_command(CLI::App& app, Request& request);
 void add_info_command(CLI::App& app, Request& request);
 void add_evaluate_command(CLI::App& app, Request& request);
 void add_phantom_command(CLI::App& app, Request& request);

@@ -40,6 +40,7 @@ void add_commands(CLI::App& app, Request& request) {
   add_stage_commands(app, request);
   add_run_command(app, request);
   add_render_command(app, request);
+  add_view_command(app, request);
   add_info_command(app, request);
   add_evaluate_command(app, request);
   add_phantom_command(app, request);

@@ -14,10 +14,13 @@ packages=(
   libzstd-dev libxxhash-dev libsquish-dev nlohmann-json3-dev
   # Drawing
   libgl-dev libopengl-dev libegl-dev libgl1-mesa-dri
+  # The viewer's window
+  libglfw3-dev libimgui-dev
   # Command line
   libcli11-dev
   # Tests and benchmarks
   libgtest-dev libgmock-dev libbenchmark-dev
+  xvfb xdotool
 )
 
 if [ "${1:-}" = --developer ]; then

@@ -84,6 +84,12 @@ ViewCamera zoomed(const ViewCamera& view, double steps, const Terrain& terrain) 
   return above_ground(result, terrain);
 }
 
+ViewCamera walked_round(const ViewCamera& view, double angle, const Terrain& terrain) {
+  ViewCamera result = turned(view, angle, 0.0);
+  result.eye = target_of(view) - result.distance * forward_of(result);
+  return above_ground(result, terrain);
+}
+
 bool is_moving(const Strides& strides) {
   return strides.forward != 0.0 || strides.right != 0.0 || strides.up != 0.0;
 }

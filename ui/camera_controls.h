@@ -42,6 +42,10 @@ ViewCamera panned(const ViewCamera& view, const glm::dvec2& delta_px, double hei
 // The wheel, steps towards the picture being positive. Orbit: nearer; else faster.
 ViewCamera zoomed(const ViewCamera& view, double steps, const Terrain& terrain);
 
+// The eye walked round its target by an angle, counterclockwise seen from above, at the same
+// height.
+ViewCamera walked_round(const ViewCamera& view, double angle, const Terrain& terrain);
+
 // Keys held down: -1 to 1 along each axis of the eye; `up` is along +z.
 struct Strides {
   double forward = 0.0, right = 0.0, up = 0.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/render/billboard_geometry.h"
+#include "core/render/reference.h"
 
 namespace bosk {
 namespace {
@@ -31,15 +32,6 @@ double overdraw_estimate(const Forest& forest, const ForestDrawList& list, const
   }
   const double picture_px = double(camera.lens.width_px) * double(camera.lens.height_px);
   return picture_px > 0.0 ? area_px / picture_px : 0.0;
-}
-
-Viewpoint viewpoint_of(const Camera& camera) {
-  Viewpoint viewpoint;
-  const RigidTransform world_from_camera = inverse(camera.camera_from_world);
-  viewpoint.eye = world_from_camera.translation;
-  viewpoint.forward = world_from_camera.rotation * glm::dvec3(0.0, 0.0, 1.0);
-  viewpoint.focal_px = std::sqrt(camera.lens.focal_px.x * camera.lens.focal_px.y);
-  return viewpoint;
 }
 
 double half_angle_of(const Camera& camera) {

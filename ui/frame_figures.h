@@ -30,8 +30,6 @@ struct FrameFigures {
 // count as if all were at the depth of its middle, and those outside the picture count too.
 double overdraw_estimate(const Forest& forest, const ForestDrawList& list, const Camera& camera);
 
-// How a camera asks for a draw list.
-Viewpoint viewpoint_of(const Camera& camera);
 // Of the cone around its axis that holds the whole picture of a pinhole.
 double half_angle_of(const Camera& camera);
 

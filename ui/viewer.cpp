@@ -1,0 +1,196 @@
+#include "ui/viewer.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/image/image_io.h"
+#include "ui/forest_picture.h"
+#include "ui/frame_budget.h"
+#include "ui/view_marks.h"
+#include "ui/viewer_input.h"
+#include "ui/viewer_state.h"
+#include "ui/window.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLongestWait = 0.25;  // seconds: a signal to stop is heard within it
+constexpr double kMessageTime = 5.0;   // seconds that a message is shown
+constexpr int kFramesAfterEvent = 3;   // Dear ImGui settles its windows within so many
+constexpr int kAdaptions = 12;         // of the budget to one picture's time
+
+// All that the picture depends on but its budget; another one asks for another picture.
+struct PictureKey {
+  glm::ivec2 size_px{0};
+  ViewCamera camera;
+  std::string options;
+  double wind_time_s = 0.0;
+
+  bool operator==(const PictureKey&) const = default;
+};
+
+// bosk-0001.png, the first that is free.
+fs::path free_picture_name(const fs::path& folder) {
+  for (int number = 1;; ++number) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "bosk-%04d.png", number);
+    if (!fs::exists(folder / name.data())) return folder / name.data();
+  }
+}
+
+class Viewer {
+ public:
+  Viewer(const ForestScene& scene, const ViewerStart& start,
+         const std::function<void(const std::string&)>& say)
+      : scene_(scene),
+        start_(start),
+        say_(say),
+        window_(start.title, start.size),
+        picture_(scene, window_.driver()) {
+    state_.options = start.options;
+    state_.camera = start.camera;
+    budget_ = std::uint64_t(start.options.budget);
+  }
+
+  void run(const Progress& progress) {
+    int frames_due = kFramesAfterEvent;
+    while (!window_.close_asked() && !state_.close_wanted) {
+      progress.check();
+      const bool at_once = frames_due > 0 || is_animated();
+      if (window_.wait(at_once ? 0.0 : kLongestWait) || forget_old_message()) {
+        frames_due = kFramesAfterEvent;
+      }
+      if (frames_due == 0 && !is_animated()) continue;
+      frames_due = std::max(0, frames_due - 1);
+      frame();
+    }
+  }
+
+ private:
+  // Whether another frame follows without an event.
+  bool is_animated() const {
+    return (moving_ || adapting_ || state_.options.wind_m > 0.0) && !is_hidden();
+  }
+
+  bool is_hidden() const {
+    const glm::ivec2 size = window_.size_px();
+    return size.x < 1 || size.y < 1;
+  }
+
+  bool forget_old_message() {
+    if (state_.message.empty() || window_.seconds() < message_end_) return false;
+    state_.message.clear();
+    return true;
+  }
+
+  void frame() {
+    if (is_hidden()) return;
+    const glm::ivec2 size = window_.size_px();
+    window_.begin_overlay();
+    const double now = window_.seconds();
+    moving_ = apply_input(state_, scene_, size, now - last_frame_);
+    last_frame_ = now;
+    draw_panels(size);
+    draw_picture(size, now);
+    if (state_.picture_wanted) save_picture(size);
+    picture_.show(0);
+    window_.draw_overlay();
+    window_.present();
+  }
+
+  void draw_panels(const glm::ivec2& size) {
+    if (state_.options.cameras) {
+      draw_marks(scene_, camera_of(state_.camera, size, view_angle(state_.options)), state_);
+    }
+    if (state_.panel) {
+      draw_figures_panel(state_);
+      draw_look_panel(state_);
+    }
+    if (state_.keys) draw_keys_panel(state_);
+    draw_message();
+  }
+
+  void draw_message() {
+    if (state_.message.empty()) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * size.x, size.y - 8}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::Begin("message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::TextUnformatted(state_.message.c_str());
+    ImGui::End();
+  }
+
+  // Draws a new picture when anything that it shows has changed. A budget that follows the frames'
+  // time may change kAdaptions times after anything else did, so that a still picture comes to
+  // rest.
+  void draw_picture(const glm::ivec2& size, double now) {
+    const PictureKey key{size, state_.camera, values_text(describe(state_.options)),
+                         state_.options.wind_m > 0.0 ? now : 0.0};
+    if (drawn_ != key) {
+      drawn_ = key;
+      adaptions_left_ = kAdaptions;
+    } else if (!adapting_) {
+      return;
+    }
+    const Camera camera = camera_of(state_.camera, size, view_angle(state_.options));
+    budget_ = next_budget();
+    state_.figures = picture_.draw(camera, state_.options, budget_, key.wind_time_s);
+    adapting_ = next_budget() != budget_ && adaptions_left_-- > 0;
+  }
+
+  // What the next picture may draw: the option, or what the last picture's time allows of it.
+  std::uint64_t next_budget() const {
+    const ViewOptions& options = state_.options;
+    const auto most = std::uint64_t(options.budget);
+    if (options.frame_ms <= 0.0 || state_.figures.picture_ms <= 0.0) return most;
+    return adapted_budget(budget_, {state_.figures.picture_ms, state_.figures.billboards},
+                          options.frame_ms, most);
+  }
+
+  void save_picture(const glm::ivec2& size) {
+    state_.picture_wanted = false;
+    message_end_ = window_.seconds() + kMessageTime;
+    try {
+      Image<glm::u8vec3> picture = picture_.read();
+      const Camera camera = camera_of(state_.camera, size, view_angle(state_.options));
+      if (state_.options.cameras) {
+        paint_marks(picture, view_marks(scene_, camera, target_of(state_.camera)));
+      }
+      const fs::path path = free_picture_name(start_.pictures);
+      write_png(path, picture);
+      state_.message = path.lexically_normal().string();
+    } catch (const Error& error) {
+      state_.message = error.what();
+    }
+    say_(state_.message);
+  }
+
+  const ForestScene& scene_;
+  const ViewerStart& start_;
+  const std::function<void(const std::string&)>& say_;
+  Window window_;
+  ForestPicture picture_;
+  ViewerState state_;
+  std::optional<PictureKey> drawn_;
+  std::uint64_t budget_ = 0;
+  bool moving_ = false, adapting_ = false;
+  int adaptions_left_ = 0;
+  double last_frame_ = 0.0, message_end_ = 0.0;
+};
+
+}  // namespace
+
+void run_viewer(const ForestScene& scene, const ViewerStart& start, const Progress& progress,
+                const std::function<void(const std::string&)>& say) {
+  Viewer(scene, start, say).run(progress);
+}
+
+}  // namespace bosk

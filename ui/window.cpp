@@ -1,0 +1,137 @@
+#include "ui/window.h"
+
+#include <GL/glcorearb.h>
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace bosk {
+namespace {
+
+std::string glfw_reason() {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  return reason ? reason : "no reason given";
+}
+
+void remember(GLFWwindow* window) { *static_cast<bool*>(glfwGetWindowUserPointer(window)) = true; }
+
+// Any event at all sets the flag behind the window's user pointer. Set before Dear ImGui's own
+// callbacks, which pass events on to these.
+void note_events(GLFWwindow* window) {
+  glfwSetWindowRefreshCallback(window, remember);
+  glfwSetWindowCloseCallback(window, remember);
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { remember(of); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* of, int) { remember(of); });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* of, int) { remember(of); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { remember(of); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { remember(of); });
+  glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { remember(of); });
+  glfwSetKeyCallback(window, [](GLFWwindow* of, int, int, int, int) { remember(of); });
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, const glm::ivec2& size) {
+  if (!glfwInit()) {
+    throw Error("no window can be opened: " + glfw_reason() +
+                "; set DISPLAY, or use --screenshot or --turntable, which need no display");
+  }
+  try {
+    make_window(title, size);
+    start_overlay();
+  } catch (...) {
+    glfwTerminate();
+    throw;
+  }
+}
+
+void Window::make_window(const std::string& title, const glm::ivec2& size) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  if (!window_) {
+    throw Error("no window with OpenGL 4.5 can be opened: " + glfw_reason() +
+                "; install the graphics card's driver or Mesa's (Debian: libgl1-mesa-dri), or use "
+                "--screenshot or --turntable");
+  }
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+}
+
+void Window::start_overlay() {
+  glfwSetWindowUserPointer(window_, &had_event_);
+  note_events(window_);
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // else imgui.ini appears where the program was started
+  float scale = 1.0f;
+  glfwGetWindowContentScale(window_, &scale, nullptr);
+  scale = std::clamp(scale, 1.0f, 4.0f);
+  io.FontGlobalScale = scale;
+  ImGui::StyleColorsDark();
+  ImGui::GetStyle().ScaleAllSizes(scale);
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+bool Window::close_asked() const { return glfwWindowShouldClose(window_) != 0; }
+
+glm::ivec2 Window::size_px() const {
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return glm::ivec2(0);
+  glm::ivec2 size(0);
+  glfwGetFramebufferSize(window_, &size.x, &size.y);
+  return size;
+}
+
+std::string Window::driver() const {
+  const auto text = [](GLenum name) {
+    const GLubyte* value = glGetString(name);
+    return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+double Window::seconds() const { return glfwGetTime(); }
+
+bool Window::wait(double seconds) {
+  had_event_ = false;
+  if (seconds > 0.0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+  return had_event_;
+}
+
+void Window::begin_overlay() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::draw_overlay() {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::present() { glfwSwapBuffers(window_); }
+
+}  // namespace bosk

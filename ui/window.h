@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+struct GLFWwindow;
+
+namespace bosk {
+
+// A window with an OpenGL 4.5 context that is current on this thread, and Dear ImGui in it. One at
+// a time; on the main thread.
+class Window {
+ public:
+  // Throws Error, with what to do, where there is no display or no OpenGL 4.5.
+  Window(const std::string& title, const glm::ivec2& size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  bool close_asked() const;
+  glm::ivec2 size_px() const;  // of the framebuffer; 0 when the window is hidden
+  std::string driver() const;  // renderer and version, in the driver's words
+  double seconds() const;      // since some start
+
+  // Waits for an event, at most `seconds`; 0 looks only. Returns whether there was one.
+  bool wait(double seconds);
+  void begin_overlay();
+  void draw_overlay();  // all that was drawn with Dear ImGui since begin_overlay
+  void present();
+
+ private:
+  void make_window(const std::string& title, const glm::ivec2& size);
+  void start_overlay();
+
+  GLFWwindow* window_ = nullptr;
+  bool had_event_ = false;
+};
+
+}  // namespace bosk
