@@ -24,7 +24,7 @@ struct ViewCamera {
 };
 inline constexpr double kEyeHeight = 1.7;   // metres
 inline constexpr double kSteepest = 1.553;  // radians: 89 degrees
-inline constexpr double kClearance = 0.3;   // metres that an eye keeps above the ground
+inline constexpr double kClearance = 0.05;  // metres that an eye keeps above the ground
 
 glm::dvec3 forward_of(const ViewCamera& view);  // unit length
 glm::dvec3 target_of(const ViewCamera& view);

@@ -49,12 +49,27 @@ void ForestPicture::resize(const Lens& lens) {
   target_.emplace(lens.width_px, lens.height_px);
 }
 
+// A list's budget is met about: a tree of which a part crosses to a much finer level may go far
+// beyond. Then a smaller one is asked for.
+void ForestPicture::make_list(const Camera& camera, const ViewOptions& options,
+                              std::uint64_t budget) {
+  constexpr int kTries = 5;
+  constexpr double kTolerance = 1.25;
+  const Viewpoint viewpoint = viewpoint_of(camera);
+  const DrawOptions draw = draw_options(options, half_angle_of(camera));
+  double asked = double(budget);
+  for (int i = 0; i < kTries; ++i) {
+    scene_.forest.draw_list(viewpoint, draw, std::uint64_t(asked), list_);
+    if (budget == 0 || double(list_.billboards) <= kTolerance * double(budget)) return;
+    asked = std::max(1.0, 0.6 * asked);
+  }
+}
+
 FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& options,
                                  std::uint64_t budget, double wind_time_s) {
   FrameFigures figures;
   const auto start = Clock::now();
-  scene_.forest.draw_list(viewpoint_of(camera), draw_options(options, half_angle_of(camera)),
-                          budget, list_);
+  make_list(camera, options, budget);
   figures.list_ms = ms_since(start);
   resize(camera.lens);
   target_->bind();

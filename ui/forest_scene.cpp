@@ -48,11 +48,15 @@ ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double v
   const double height = std::max(scene.height_m, 0.1), radius = std::max(scene.radius_m, 0.05);
   const double back =
       1.1 * std::max(0.5 * height / slope, radius / (slope * aspect)) + 0.5 * radius;
-  const bool is_row = scene.forest.instances().size() <= scene.trees.size();
-  const glm::dvec3 at = scene.middle + glm::dvec3(0.0, 0.0, (is_row ? 0.5 : 0.3) * height);
-  const glm::dvec3 eye =
-      is_row ? at - glm::dvec3(0.0, back, 0.0)
-             : scene.middle + glm::dvec3(0.0, -radius - 1.5 * height, 1.1 * height + 0.1 * radius);
+  if (scene.forest.instances().size() <= scene.trees.size()) {
+    const glm::dvec3 at = scene.middle + glm::dvec3(0.0, 0.0, 0.5 * height);
+    const double eye_height =
+        std::max(kClearance, std::min(0.5 * height, std::max(kEyeHeight, 0.2 * height)));
+    return looking_at(ViewCamera{}, scene.middle + glm::dvec3(0.0, -back, eye_height), at);
+  }
+  const glm::dvec3 at = scene.middle + glm::dvec3(0.0, 0.0, 0.3 * height);
+  const glm::dvec3 eye(scene.middle.x, scene.middle.y - radius - 1.5 * height,
+                       scene.middle.z + 1.1 * height + 0.1 * radius);
   return looking_at(ViewCamera{}, eye, at);
 }
 

@@ -35,8 +35,8 @@ struct ForestScene {
   double radius_m = 0.0, height_m = 0.0;
 };
 
-// Outside the scene, from the south: all of a single tree at the height of its middle, a forest
-// from above its crowns.
+// Outside the scene, from the south: all of a tree, or of a row, from about a person's height; a
+// forest from above its crowns.
 ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle);
 
 }  // namespace bosk

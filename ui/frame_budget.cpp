@@ -18,4 +18,15 @@ std::uint64_t adapted_budget(std::uint64_t budget, const FrameCost& last, double
   return std::max(std::uint64_t(next), kLeastBudget);
 }
 
+std::optional<std::uint64_t> still_budget(std::uint64_t budget, const FrameCost& last,
+                                          double still_ms, std::uint64_t most) {
+  if (budget == most || (most > 0 && budget > most)) return std::nullopt;
+  if (still_ms <= 0.0) return most;
+  const double factor = std::min(still_ms / std::max(last.ms, 1e-3), 8.0);
+  if (factor < 1.5) return std::nullopt;
+  const double next = factor * double(std::max(last.billboards, kLeastBudget));
+  if (most > 0 && next >= double(most)) return most;
+  return std::uint64_t(next);
+}
+
 }  // namespace bosk

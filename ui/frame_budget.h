@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace bosk {
 
@@ -19,5 +20,11 @@ inline constexpr std::uint64_t kLeastBudget = 2000;
 // (0: no bound).
 std::uint64_t adapted_budget(std::uint64_t budget, const FrameCost& last, double target_ms,
                              std::uint64_t most);
+
+// What a picture that stands still may draw, after one that was drawn with `budget`, in about
+// `still_ms` (0: as long as it needs); at most eight times as much as the last one at a time. None
+// when it may not become half as good again, or had `most` already.
+std::optional<std::uint64_t> still_budget(std::uint64_t budget, const FrameCost& last,
+                                          double still_ms, std::uint64_t most);
 
 }  // namespace bosk

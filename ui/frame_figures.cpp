@@ -24,9 +24,10 @@ double overdraw_estimate(const Forest& forest, const ForestDrawList& list, const
   const Viewpoint viewpoint = viewpoint_of(camera);
   double area_px = 0.0;
   for (const DrawRange& range : list.ranges) {
+    if (range.high != 0) continue;  // a divided range names its cells in each of its parts
     const TreeInstance& instance = forest.instances()[range.instance];
     const PreparedTree& tree = *forest.trees()[instance.tree];
-    const TreeLevel& level = tree.model().levels[tree.slot_of_cut(range.cut)];
+    const TreeLevel& level = tree.level_of_cut(range.cut);
     const double side = side_px(instance, tree.model(), level, viewpoint);
     area_px += double(range.count) * side * side;
   }

@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestWait = 0.25;  // seconds: a signal to stop is heard within it
-constexpr double kMessageTime = 5.0;   // seconds that a message is shown
-constexpr int kFramesAfterEvent = 3;   // Dear ImGui settles its windows within so many
-constexpr int kAdaptions = 12;         // of the budget to one picture's time
+constexpr double kLongestWait = 0.25;          // seconds: a signal to stop is heard within it
+constexpr double kMessageTime = 5.0;           // seconds that a message is shown
+constexpr int kFramesAfterEvent = 3;           // Dear ImGui settles its windows within so many
+constexpr std::uint64_t kFirstBudget = 20000;  // billboards, before any picture was timed
 
 // All that the picture depends on but its budget; another one asks for another picture.
 struct PictureKey {
@@ -56,7 +56,6 @@ class Viewer {
         picture_(scene, window_.driver()) {
     state_.options = start.options;
     state_.camera = start.camera;
-    budget_ = std::uint64_t(start.options.budget);
   }
 
   void run(const Progress& progress) {
@@ -66,6 +65,8 @@ class Viewer {
       const bool at_once = frames_due > 0 || is_animated();
       if (window_.wait(at_once ? 0.0 : kLongestWait) || forget_old_message()) {
         frames_due = kFramesAfterEvent;
+      } else if (!at_once && refine()) {
+        frames_due = 1;
       }
       if (frames_due == 0 && !is_animated()) continue;
       frames_due = std::max(0, frames_due - 1);
@@ -75,9 +76,7 @@ class Viewer {
 
  private:
   // Whether another frame follows without an event.
-  bool is_animated() const {
-    return (moving_ || adapting_ || state_.options.wind_m > 0.0) && !is_hidden();
-  }
+  bool is_animated() const { return (moving_ || state_.options.wind_m > 0.0) && !is_hidden(); }
 
   bool is_hidden() const {
     const glm::ivec2 size = window_.size_px();
@@ -128,32 +127,37 @@ class Viewer {
     ImGui::End();
   }
 
-  // Draws a new picture when anything that it shows has changed. A budget that follows the frames'
-  // time may change kAdaptions times after anything else did, so that a still picture comes to
-  // rest.
+  // Draws a new picture when anything that it shows has changed.
   void draw_picture(const glm::ivec2& size, double now) {
+    const ViewOptions& options = state_.options;
     const PictureKey key{size, state_.camera, values_text(describe(state_.options)),
-                         state_.options.wind_m > 0.0 ? now : 0.0};
-    if (drawn_ != key) {
-      drawn_ = key;
-      adaptions_left_ = kAdaptions;
-    } else if (!adapting_) {
-      return;
-    }
-    const Camera camera = camera_of(state_.camera, size, view_angle(state_.options));
-    budget_ = next_budget();
-    state_.figures = picture_.draw(camera, state_.options, budget_, key.wind_time_s);
-    adapting_ = next_budget() != budget_ && adaptions_left_-- > 0;
+                         options.wind_m > 0.0 ? now : 0.0};
+    if (drawn_ == key) return;
+    drawn_ = key;
+    const auto most = std::uint64_t(options.budget);
+    moving_budget_ = options.frame_ms > 0.0
+                         ? adapted_budget(moving_budget_, moving_cost_, options.frame_ms, most)
+                         : most;
+    draw_with(moving_budget_);
+    moving_cost_ = cost();
   }
 
-  // What the next picture may draw: the option, or what the last picture's time allows of it.
-  std::uint64_t next_budget() const {
+  // Draws the same again, now that nothing moves, if a better picture can be had.
+  bool refine() {
     const ViewOptions& options = state_.options;
-    const auto most = std::uint64_t(options.budget);
-    if (options.frame_ms <= 0.0 || state_.figures.picture_ms <= 0.0) return most;
-    return adapted_budget(budget_, {state_.figures.picture_ms, state_.figures.billboards},
-                          options.frame_ms, most);
+    if (!drawn_ || is_hidden() || state_.figures.detail >= options.detail) return false;
+    const auto budget = still_budget(state_.figures.budget, cost(), options.still_ms,
+                                     std::uint64_t(options.budget));
+    if (budget) draw_with(*budget);
+    return budget.has_value();
   }
+
+  void draw_with(std::uint64_t budget) {
+    const Camera camera = camera_of(drawn_->camera, drawn_->size_px, view_angle(state_.options));
+    state_.figures = picture_.draw(camera, state_.options, budget, drawn_->wind_time_s);
+  }
+
+  FrameCost cost() const { return {state_.figures.picture_ms, state_.figures.billboards}; }
 
   void save_picture(const glm::ivec2& size) {
     state_.picture_wanted = false;
@@ -180,9 +184,9 @@ class Viewer {
   ForestPicture picture_;
   ViewerState state_;
   std::optional<PictureKey> drawn_;
-  std::uint64_t budget_ = 0;
-  bool moving_ = false, adapting_ = false;
-  int adaptions_left_ = 0;
+  std::uint64_t moving_budget_ = kFirstBudget;
+  FrameCost moving_cost_;
+  bool moving_ = false;
   double last_frame_ = 0.0, message_end_ = 0.0;
 };
 
