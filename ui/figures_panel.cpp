@@ -44,7 +44,9 @@ void draw_figures_panel(const ViewerState& state) {
     line("cells", "%.2f MiB", mebibytes(figures.cell_bytes));
     line("per frame", "%.2f MiB", mebibytes(figures.frame_bytes));
     ImGui::EndTable();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 15.0f * ImGui::GetFontSize());
     ImGui::TextDisabled("%s", figures.driver.c_str());
+    ImGui::PopTextWrapPos();
   }
   ImGui::End();
 }

@@ -29,7 +29,7 @@ struct Widget {
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
     return ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, value, &option.minimum,
-                               &option.maximum, "%.3g", flags);
+                               &option.maximum, "%.4g", flags);
   }
   bool operator()(std::string* value) const {
     bool changed = false;

@@ -56,6 +56,10 @@ class Viewer {
         picture_(scene, window_.driver()) {
     state_.options = start.options;
     state_.camera = start.camera;
+    // Drivers finish shaders when they are first used: not on the first picture's account
+    const glm::ivec2 tiny(16, 16);
+    picture_.draw(camera_of(state_.camera, tiny, view_angle(state_.options)), state_.options,
+                  kLeastBudget, 0.0);
   }
 
   void run(const Progress& progress) {
@@ -94,7 +98,7 @@ class Viewer {
     const glm::ivec2 size = window_.size_px();
     window_.begin_overlay();
     const double now = window_.seconds();
-    moving_ = apply_input(state_, scene_, size, now - last_frame_);
+    moving_ = apply_input(state_, scene_, size, window_.take_pressed_keys(), now - last_frame_);
     last_frame_ = now;
     draw_panels(size);
     draw_picture(size, now);

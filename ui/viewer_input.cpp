@@ -20,14 +20,20 @@ Strides strides_held() {
   return strides;
 }
 
-bool pressed(int key) { return ImGui::IsKeyPressed(key, false); }
+// Keys pressed since the last frame.
+struct Presses {
+  std::span<const int> keys;
+
+  bool operator()(int key) const { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
+};
 
 std::string next_choice(const std::string& now, std::initializer_list<const char*> choices) {
   const auto at = std::find(choices.begin(), choices.end(), now);
   return at == choices.end() || at + 1 == choices.end() ? *choices.begin() : *(at + 1);
 }
 
-void apply_modes(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px) {
+void apply_modes(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px,
+                 const Presses& pressed) {
   ViewCamera& camera = state.camera;
   const std::pair<int, ViewCamera::Mode> modes[] = {{GLFW_KEY_1, ViewCamera::Mode::orbit},
                                                     {GLFW_KEY_2, ViewCamera::Mode::fly},
@@ -38,7 +44,7 @@ void apply_modes(ViewerState& state, const ForestScene& scene, const glm::ivec2&
   if (pressed(GLFW_KEY_HOME)) camera = framing(scene, size_px, view_angle(state.options));
 }
 
-void apply_switches(ViewerState& state) {
+void apply_switches(ViewerState& state, const Presses& pressed) {
   ViewOptions& options = state.options;
   if (pressed(GLFW_KEY_C)) {
     options.colours = next_choice(options.colours, {"tree", "levels", "cells", "pruned"});
@@ -92,12 +98,12 @@ const std::vector<KeyHelp>& viewer_keys() {
 }
 
 bool apply_input(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px,
-                 double seconds) {
+                 std::span<const int> pressed, double seconds) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.WantCaptureMouse) apply_mouse(state, scene, size_px);
   if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || io.KeySuper) return false;
-  apply_modes(state, scene, size_px);
-  apply_switches(state);
+  apply_modes(state, scene, size_px, {pressed});
+  apply_switches(state, {pressed});
   const Strides strides = strides_held();
   if (!is_moving(strides)) return false;
   constexpr double kLongestStep = 0.1;  // seconds: a slow frame must not throw the eye far

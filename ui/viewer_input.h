@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct KeyHelp {
 const std::vector<KeyHelp>& viewer_keys();
 
 // Applies what Dear ImGui's current frame heard of mouse and keys to the state, unless a panel
-// wants it; `seconds` since the last frame. Returns whether keys that move the eye are held down,
-// so that the next frame must follow at once.
+// wants it. `pressed` are the keys pressed since the last frame, `seconds` ago, also those that
+// were released again, which Dear ImGui 1.86 forgets when a frame takes long. Returns whether keys
+// that move the eye are held down, so that the next frame must follow at once.
 bool apply_input(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px,
-                 double seconds);
+                 std::span<const int> pressed, double seconds);
 
 }  // namespace bosk

@@ -19,23 +19,28 @@ std::string glfw_reason() {
   return reason ? reason : "no reason given";
 }
 
-void remember(GLFWwindow* window) { *static_cast<bool*>(glfwGetWindowUserPointer(window)) = true; }
+}  // namespace
 
-// Any event at all sets the flag behind the window's user pointer. Set before Dear ImGui's own
-// callbacks, which pass events on to these.
-void note_events(GLFWwindow* window) {
+// Set before Dear ImGui's own callbacks, which pass events on to these.
+void Window::listen(GLFWwindow* window) {
+  const auto remember = [](GLFWwindow* of) {
+    static_cast<Heard*>(glfwGetWindowUserPointer(of))->any = true;
+  };
+  static const auto note = remember;
   glfwSetWindowRefreshCallback(window, remember);
   glfwSetWindowCloseCallback(window, remember);
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { remember(of); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* of, int) { remember(of); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* of, int) { remember(of); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { remember(of); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { remember(of); });
-  glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { remember(of); });
-  glfwSetKeyCallback(window, [](GLFWwindow* of, int, int, int, int) { remember(of); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { note(of); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* of, int) { note(of); });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* of, int) { note(of); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { note(of); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { note(of); });
+  glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { note(of); });
+  glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
+    note(of);
+    auto* heard = static_cast<Heard*>(glfwGetWindowUserPointer(of));
+    if (action == GLFW_PRESS) heard->pressed_keys.push_back(key);
+  });
 }
-
-}  // namespace
 
 Window::Window(const std::string& title, const glm::ivec2& size) {
   if (!glfwInit()) {
@@ -68,8 +73,8 @@ void Window::make_window(const std::string& title, const glm::ivec2& size) {
 }
 
 void Window::start_overlay() {
-  glfwSetWindowUserPointer(window_, &had_event_);
-  note_events(window_);
+  glfwSetWindowUserPointer(window_, &heard_);
+  listen(window_);
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // else imgui.ini appears where the program was started
@@ -111,13 +116,13 @@ std::string Window::driver() const {
 double Window::seconds() const { return glfwGetTime(); }
 
 bool Window::wait(double seconds) {
-  had_event_ = false;
+  heard_.any = false;
   if (seconds > 0.0) {
     glfwWaitEventsTimeout(seconds);
   } else {
     glfwPollEvents();
   }
-  return had_event_;
+  return heard_.any;
 }
 
 void Window::begin_overlay() {

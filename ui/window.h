@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -24,6 +26,8 @@ class Window {
 
   // Waits for an event, at most `seconds`; 0 looks only. Returns whether there was one.
   bool wait(double seconds);
+  // GLFW's numbers of the keys pressed since the last call.
+  std::vector<int> take_pressed_keys() { return std::exchange(heard_.pressed_keys, {}); }
   void begin_overlay();
   void draw_overlay();  // all that was drawn with Dear ImGui since begin_overlay
   void present();
@@ -32,8 +36,15 @@ class Window {
   void make_window(const std::string& title, const glm::ivec2& size);
   void start_overlay();
 
+  // What callbacks write.
+  struct Heard {
+    bool any = false;
+    std::vector<int> pressed_keys;
+  };
+  static void listen(GLFWwindow* window);
+
   GLFWwindow* window_ = nullptr;
-  bool had_event_ = false;
+  Heard heard_;
 };
 
 }  // namespace bosk

@@ -29,10 +29,10 @@ class ViewerInput : public testing::Test {
   }
   ~ViewerInput() override { ImGui::DestroyContext(); }
 
-  bool frame() {
+  bool frame(std::vector<int> pressed = {}) {
     ImGui::GetIO().DeltaTime = 0.05f;
     ImGui::NewFrame();
-    const bool moving = apply_input(state, scene, {800, 600}, 0.05);
+    const bool moving = apply_input(state, scene, {800, 600}, pressed, 0.05);
     if (state.panel) {
       draw_look_panel(state);
       draw_figures_panel(state);
@@ -41,12 +41,8 @@ class ViewerInput : public testing::Test {
     ImGui::Render();
     return moving;
   }
-  void tap(int key) {
-    ImGui::GetIO().KeysDown[key] = true;
-    frame();
-    ImGui::GetIO().KeysDown[key] = false;
-    frame();
-  }
+  // Pressed and released within one frame.
+  void tap(int key) { frame({key}); }
   void move_to(float x, float y) {
     ImGui::GetIO().MousePos = {x, y};
     frame();
