@@ -101,6 +101,13 @@ TEST(Architecture, CoreKnowsNoWindowAndNoGraphicsLibraryOutsideRenderGl) {
   }
 }
 
+TEST(Architecture, TheWindowIsTheUisAlone) {
+  static const std::regex window(R"rx(imgui|glfw|^GL/|^EGL/)rx", std::regex::icase);
+  for (const Include& include : includes_below("app")) {
+    EXPECT_FALSE(std::regex_search(include.target, window)) << place(include);
+  }
+}
+
 TEST(Architecture, TheWorkstationDoesNotIncludeTheProgram) {
   for (const Include& include : includes_below("ui")) {
     EXPECT_FALSE(starts_with(include.target, "app/")) << place(include);
