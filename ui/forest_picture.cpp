@@ -13,6 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kBudgetTolerance = 1.1;
+
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -50,19 +52,23 @@ void ForestPicture::resize(const Lens& lens) {
 }
 
 // A list's budget is met about: a tree of which a part crosses to a much finer level may go far
-// beyond. Then a smaller one is asked for.
+// beyond. Then the largest budget is looked for whose list keeps to the one that was given.
 void ForestPicture::make_list(const Camera& camera, const ViewOptions& options,
                               std::uint64_t budget) {
-  constexpr int kTries = 5;
-  constexpr double kTolerance = 1.25;
+  constexpr int kSteps = 6;
   const Viewpoint viewpoint = viewpoint_of(camera);
   const DrawOptions draw = draw_options(options, half_angle_of(camera));
-  double asked = double(budget);
-  for (int i = 0; i < kTries; ++i) {
+  const auto keeps_to_budget = [&](double asked) {
     scene_.forest.draw_list(viewpoint, draw, std::uint64_t(asked), list_);
-    if (budget == 0 || double(list_.billboards) <= kTolerance * double(budget)) return;
-    asked = std::max(1.0, 0.6 * asked);
+    return budget == 0 || double(list_.billboards) <= kBudgetTolerance * double(budget);
+  };
+  if (keeps_to_budget(double(budget))) return;
+  double kept = 1.0, broken = double(budget);
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = 0.5 * (kept + broken);
+    (keeps_to_budget(middle) ? kept : broken) = middle;
   }
+  keeps_to_budget(kept);
 }
 
 FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& options,

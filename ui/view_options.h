@@ -10,7 +10,7 @@ namespace bosk {
 
 // How a forest is looked at. The command line and the panel edit it alike.
 struct ViewOptions {
-  int budget = 300000;       // billboards a picture, about; 0: no bound
+  int budget = 1000000;      // billboards a picture, about; 0: no bound
   double frame_ms = 40.0;    // in the window, moving: the budget falls until a frame takes so long
   double still_ms = 2000.0;  // the same for a picture that stands still; 0: the budget alone
   double detail = 1.0;
