@@ -66,7 +66,7 @@ class Painter {
       : scene_(scene),
         arguments_(arguments),
         options_(options),
-        picture_(scene, context_.description()) {}
+        picture_(scene, context_.description(), OffscreenTarget::Precision::bits_32) {}
 
   FrameFigures paint(const fs::path& path, const ViewCamera& view, double wind_time_s) {
     const Camera camera = camera_of(view, arguments_.size_px, view_angle(options_));

@@ -56,12 +56,25 @@ std::vector<TreeInstance> scattered(const SceneArguments& arguments, const Scene
   return scatter_trees(crowns, density, arguments.scatter);
 }
 
+// The ground that trees of a table stand on: the one they were given, unless the table knows
+// heights of its own. Then a plane through their feet.
+Terrain ground_under(const std::vector<TreeInstance>& instances, const Terrain& terrain) {
+  std::vector<glm::dvec3> feet;
+  bool own_heights = false;
+  for (const TreeInstance& instance : instances) {
+    const glm::dvec3& place = instance.place;
+    own_heights = own_heights || place.z != height_at(terrain, place.x, place.y);
+    feet.push_back(place);
+  }
+  return own_heights ? plane_through(feet) : terrain;
+}
+
 }  // namespace
 
 ForestScene make_scene(const SceneArguments& arguments, Console& console) {
   check(arguments);
   SceneTrees trees = load_trees(arguments.packages, console);
-  const Terrain terrain = terrain_of(arguments.scatter);
+  Terrain terrain = terrain_of(arguments.scatter);
   std::vector<TreeInstance> instances;
   if (arguments.positions.empty()) {
     instances = scattered(arguments, trees, console);
@@ -70,6 +83,7 @@ ForestScene make_scene(const SceneArguments& arguments, Console& console) {
     std::vector<std::string> names;
     for (const auto& tree : trees) names.push_back(tree->name);
     instances = read_positions(arguments.positions, names, terrain);
+    terrain = ground_under(instances, terrain);
   }
   return ForestScene(std::move(trees), std::move(instances), terrain);
 }

@@ -40,15 +40,20 @@ void fill_memory(FrameFigures& figures, const ForestRenderer::Memory& memory) {
 
 }  // namespace
 
-ForestPicture::ForestPicture(const ForestScene& scene, std::string driver)
-    : scene_(scene), driver_(std::move(driver)), renderer_(scene.forest) {}
+ForestPicture::ForestPicture(const ForestScene& scene, std::string driver,
+                             OffscreenTarget::Precision precision)
+    : scene_(scene),
+      driver_(std::move(driver)),
+      precision_(precision),
+      scenery_(ground_grid(scene)),
+      renderer_(scene.forest) {}
 
 void ForestPicture::resize(const Lens& lens) {
   if (target_ && target_->width_px() == lens.width_px && target_->height_px() == lens.height_px) {
     return;
   }
   target_.reset();
-  target_.emplace(lens.width_px, lens.height_px);
+  target_.emplace(lens.width_px, lens.height_px, precision_);
 }
 
 // A list's budget is met about: a tree of which a part crosses to a much finer level may go far
@@ -79,7 +84,12 @@ FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& option
   figures.list_ms = ms_since(start);
   resize(camera.lens);
   target_->bind();
-  target_->clear(glm::vec4(0.72f, 0.80f, 0.90f, 1.0f));
+  target_->clear(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+  SceneryLook surroundings;
+  surroundings.visibility_m =
+      std::min(600.0, ground_reach(scene_) / 3.0);  // hides the ground's edge
+  scenery_.draw(camera, surroundings);
+  scenery_.draw_shadows(scene_.forest, camera, surroundings);
   renderer_.draw(list_, camera, look_of(options, wind_time_s));
   glFinish();
   figures.picture_ms = ms_since(start);

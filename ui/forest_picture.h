@@ -8,6 +8,7 @@
 #include "core/photo/camera.h"
 #include "core/render/gl/forest_renderer.h"
 #include "core/render/gl/offscreen_target.h"
+#include "core/render/gl/scenery_renderer.h"
 #include "ui/forest_scene.h"
 #include "ui/frame_figures.h"
 #include "ui/view_options.h"
@@ -19,7 +20,7 @@ namespace bosk {
 class ForestPicture {
  public:
   // `driver` is told in the figures. Throws Error where the scene cannot be drawn.
-  ForestPicture(const ForestScene& scene, std::string driver);
+  ForestPicture(const ForestScene& scene, std::string driver, OffscreenTarget::Precision precision);
 
   // Draws what the camera sees, at its size, with at most `budget` billboards (0: no bound), and
   // waits until the picture is finished.
@@ -37,6 +38,8 @@ class ForestPicture {
 
   const ForestScene& scene_;
   std::string driver_;
+  OffscreenTarget::Precision precision_;
+  SceneryRenderer scenery_;
   ForestRenderer renderer_;
   std::optional<OffscreenTarget> target_;
   ForestDrawList list_;

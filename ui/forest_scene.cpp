@@ -42,6 +42,28 @@ ForestScene::ForestScene(SceneTrees scene_trees, std::vector<TreeInstance> insta
   height_m = high.z - low.z;
 }
 
+double ground_reach(const ForestScene& scene) {
+  return std::clamp(4.0 * scene.radius_m, 600.0, 20000.0) + 2.0 * scene.radius_m;
+}
+
+Image<glm::vec3> ground_grid(const ForestScene& scene) {
+  constexpr double kStep = 1.5;  // metres: fine enough that trunks stand on it within a few cm
+  constexpr int kMost = 600;
+  const double reach = ground_reach(scene);
+  const bool is_plane = scene.terrain.relief_m == 0.0;
+  const int points = is_plane ? 2 : std::clamp(int(2.0 * reach / kStep), 64, kMost);
+  Image<glm::vec3> grid(points, points);
+  for (int row = 0; row < points; ++row) {
+    for (int column = 0; column < points; ++column) {
+      const glm::dvec2 share = glm::dvec2(column, row) / double(points - 1) - 0.5;
+      const double x = scene.middle.x + 2.0 * reach * share.x;
+      const double y = scene.middle.y - 2.0 * reach * share.y;
+      grid(column, row) = glm::vec3(x, y, height_at(scene.terrain, x, y));
+    }
+  }
+  return grid;
+}
+
 ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle) {
   const double slope = std::tan(0.5 * view_angle);
   const double aspect = double(size_px.x) / double(std::max(1, size_px.y));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/image.h"
 #include "core/render/forest.h"
 #include "core/render/terrain.h"
 #include "ui/camera_controls.h"
@@ -34,6 +35,11 @@ struct ForestScene {
   glm::dvec3 middle{0.0};  // of its foot
   double radius_m = 0.0, height_m = 0.0;
 };
+
+// How far the ground reaches from the scene's middle.
+double ground_reach(const ForestScene& scene);
+// The ground as a square grid of points: rows from north to south, columns from west to east.
+Image<glm::vec3> ground_grid(const ForestScene& scene);
 
 // Outside the scene, from the south: all of a tree, or of a row, from about a person's height; a
 // forest from above its crowns.

@@ -53,7 +53,7 @@ class Viewer {
         start_(start),
         say_(say),
         window_(start.title, start.size),
-        picture_(scene, window_.driver()) {
+        picture_(scene, window_.driver(), OffscreenTarget::Precision::bits_16) {
     state_.options = start.options;
     state_.camera = start.camera;
     // Drivers finish shaders when they are first used: not on the first picture's account

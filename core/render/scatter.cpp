@@ -136,6 +136,12 @@ std::vector<Disc> discs_of(std::span<const double> crown_radii, const Image<floa
   }
 }
 
+// Around white.
+glm::vec3 random_tint(double spread, Random& random) {
+  const double light = random.uniform(-spread, spread), warmth = random.uniform(-spread, spread);
+  return {1.0 + light + 0.5 * warmth, 1.0 + light, 1.0 + light - 0.5 * warmth};
+}
+
 }  // namespace
 
 Options describe(ScatterOptions& o) {
@@ -163,6 +169,13 @@ Options describe(ScatterOptions& o) {
        {}},
       {"smallest_scale", "", "of trees, drawn at random", &o.smallest_scale, 0.05, 20, {}},
       {"largest_scale", "", "of trees, drawn at random", &o.largest_scale, 0.05, 20, {}},
+      {"tint_spread",
+       "",
+       "share by which trees are brighter or darker, redder or bluer at most",
+       &o.tint_spread,
+       0,
+       0.5,
+       {}},
       {"terrain_m",
        "m",
        "relief of the ground, valley to hill; 0 is flat",
@@ -205,6 +218,7 @@ std::vector<TreeInstance> scatter_trees(std::span<const double> crown_radii,
     instance.place = glm::dvec3(disc.centre, 0.0);
     instance.scale = disc.scale;
     instance.turn = turns.uniform(0.0, 2.0 * std::numbers::pi);
+    instance.tint = random_tint(options.tint_spread, turns);
     instances.push_back(instance);
   }
   return instances;

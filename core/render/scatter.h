@@ -18,8 +18,9 @@ struct ScatterOptions {
   double area_m = 0.0;   // west to east; 0: as small as the trees need
   double spacing = 1.0;  // least distance between trunks, in sums of the two crowns' radii
   double smallest_scale = 0.8, largest_scale = 1.2;
-  double terrain_m = 0.0;  // relief of the ground; 0: flat
-  double hill_m = 80.0;    // from hill to hill
+  double tint_spread = 0.06;  // trees are brighter or darker, redder or bluer by this share at most
+  double terrain_m = 0.0;     // relief of the ground; 0: flat
+  double hill_m = 80.0;       // from hill to hill
   int seed = 1;
 };
 Options describe(ScatterOptions& options);
@@ -31,8 +32,9 @@ Terrain terrain_of(const ScatterOptions& options);
 double crown_radius(const TreeModel& tree);
 
 // Blue noise: `options.trees` trunks, no two nearer than `spacing` times the sum of their crowns'
-// radii, in a rectangle around (0, 0). Kinds, turns and scales are drawn at random, with the same
-// chance each; `crown_radii` has one entry a kind. In a given area the trees spread all over it.
+// radii, in a rectangle around (0, 0). Kinds, turns, scales and tints are drawn at random, with the
+// same chance each; `crown_radii` has one entry a kind. In a given area the trees spread all over
+// it.
 //
 // `density` (0 to 1; empty: 1 all over) thins them: north is its top row, its width is the area's,
 // and the share of trunks that stay is its value there. Grey of 0 stays clear.

@@ -54,6 +54,7 @@ TEST(ScatterTrees, KeepsCrownsApartAndUsesEveryKindScaleAndTurn) {
     EXPECT_GE(tree.scale, 0.8);
     EXPECT_LE(tree.scale, 1.2);
     EXPECT_EQ(tree.place.z, 0.0);
+    EXPECT_NEAR(tree.tint.g, 1.0, 0.0601);
     small += tree.tree == 0 ? 1 : 0;
     turns += tree.turn / 2000.0;
   }
@@ -197,6 +198,29 @@ TEST(Terrain, IsFlatOrWithinItsReliefAndSmooth) {
   EXPECT_NEAR(glm::length(up), 1.0, 1e-12);
   EXPECT_NEAR(-up.x / up.z, (height_at(hills, 12.1, 5.0) - height_at(hills, 11.9, 5.0)) / 0.2,
               0.01);
+}
+
+TEST(Terrain, PlaneThroughPointsIsTheirs) {
+  const auto on_plane = [](double x, double y) {
+    return glm::dvec3(x, y, 400.0 + 0.1 * x - 0.2 * y);
+  };
+  const std::vector<glm::dvec3> points = {on_plane(100, 200), on_plane(130, 210), on_plane(90, 260),
+                                          on_plane(150, 280)};
+  const Terrain plane = plane_through(points);
+  for (const glm::dvec3& point : points) {
+    EXPECT_NEAR(height_at(plane, point.x, point.y), point.z, 1e-5);
+  }
+  EXPECT_NEAR(plane.slope.x, 0.1, 1e-6);
+  EXPECT_NEAR(normal_at(plane, 0.0, 0.0).z, 1.0 / std::sqrt(1.05), 1e-6);
+}
+
+TEST(Terrain, PlaneThroughFewPointsIsLevelAcrossThem) {
+  EXPECT_EQ(height_at(plane_through({}), 5.0, 5.0), 0.0);
+  const std::vector<glm::dvec3> one = {{3.0, 4.0, 50.0}};
+  EXPECT_NEAR(height_at(plane_through(one), 30.0, 4.0), 50.0, 1e-9);
+  const std::vector<glm::dvec3> line = {{0.0, 0.0, 0.0}, {10.0, 0.0, 1.0}, {20.0, 0.0, 2.0}};
+  EXPECT_NEAR(height_at(plane_through(line), 10.0, 0.0), 1.0, 1e-6);
+  EXPECT_NEAR(height_at(plane_through(line), 10.0, 70.0), 1.0, 1e-3);
 }
 
 TEST(StandOn, PutsTrunksOnTheGround) {
