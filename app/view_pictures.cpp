@@ -38,6 +38,8 @@ Json json_of(const FrameFigures& figures) {
           {"detail", figures.detail},
           {"overdraw", figures.overdraw},
           {"draw_list_ms", figures.list_ms},
+          {"scenery_ms", figures.scenery_ms},
+          {"trees_ms", figures.trees_ms},
           {"picture_ms", figures.picture_ms},
           {"texture_bytes", figures.texture_bytes},
           {"index_bytes", figures.index_bytes},

@@ -30,6 +30,8 @@ void draw_figures_panel(const ViewerState& state) {
   const bool open = ImGui::Begin("Figures", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   if (open && ImGui::BeginTable("figures", 2)) {
     line("picture", "%.1f ms", figures.picture_ms);
+    line("  trees", "%.1f ms", figures.trees_ms);
+    line("  sky, ground, shade", "%.1f ms", figures.scenery_ms);
     line("draw list", "%.2f ms", figures.list_ms);
     line("billboards", "%.0f", double(figures.billboards));
     draw_levels(figures);

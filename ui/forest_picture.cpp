@@ -90,9 +90,12 @@ FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& option
       std::min(600.0, ground_reach(scene_) / 3.0);  // hides the ground's edge
   scenery_.draw(camera, surroundings);
   scenery_.draw_shadows(scene_.forest, camera, surroundings);
+  glFinish();
+  figures.scenery_ms = ms_since(start) - figures.list_ms;
   renderer_.draw(list_, camera, look_of(options, wind_time_s));
   glFinish();
   figures.picture_ms = ms_since(start);
+  figures.trees_ms = figures.picture_ms - figures.scenery_ms;
 
   figures.billboards = list_.billboards;
   figures.by_level = list_.by_level;

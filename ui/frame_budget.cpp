@@ -5,6 +5,10 @@
 
 namespace bosk {
 
+double time_for_trees(double frame_ms, double other_ms) {
+  return std::max(frame_ms - other_ms, 0.5 * other_ms);
+}
+
 std::uint64_t adapted_budget(std::uint64_t budget, const FrameCost& last, double target_ms,
                              std::uint64_t most) {
   const std::uint64_t bound = most == 0 ? UINT64_MAX : std::max(most, kLeastBudget);

@@ -5,15 +5,19 @@
 
 namespace bosk {
 
-// What the last frame took, and how many billboards it drew.
+// What the trees of the last frame took, and how many billboards they were.
 struct FrameCost {
   double ms = 0.0;
   std::uint64_t billboards = 0;
 };
 
+// What trees may take of a frame of `frame_ms` when all else takes `other_ms`: the rest, but at
+// least half as much as the other. Where that alone is too slow, poorer trees would gain little.
+double time_for_trees(double frame_ms, double other_ms);
+
 inline constexpr std::uint64_t kLeastBudget = 2000;
 
-// How many billboards the next frame may draw so that frames come to take `target_ms`. Each call
+// How many billboards the next frame may draw so that trees come to take `target_ms`. Each call
 // changes `budget` by at most a factor of 2 down and 1.25 up, and not at all within a tenth of the
 // target: frames that jitter leave it alone. It grows no further than a quarter above what a frame
 // drew, so that a sudden wide view isn't met with a budget from an empty one; at most `most`

@@ -20,7 +20,9 @@ struct FrameFigures {
   double detail = 1.0;       // that the budget left
   double overdraw = 0.0;
   double list_ms = 0.0;     // of the CPU, for the draw list
-  double picture_ms = 0.0;  // until the picture was finished
+  double scenery_ms = 0.0;  // sky, ground and shade
+  double trees_ms = 0.0;
+  double picture_ms = 0.0;  // all of it, until the picture was finished
   std::size_t texture_bytes = 0, index_bytes = 0, cell_bytes = 0, frame_bytes = 0;  // on the GPU
   bool bc3 = false;
   std::string driver;

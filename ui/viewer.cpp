@@ -139,8 +139,9 @@ class Viewer {
     if (drawn_ == key) return;
     drawn_ = key;
     const auto most = std::uint64_t(options.budget);
+    const double target_ms = time_for_trees(options.frame_ms, state_.figures.scenery_ms);
     moving_budget_ = options.frame_ms > 0.0
-                         ? adapted_budget(moving_budget_, moving_cost_, options.frame_ms, most)
+                         ? adapted_budget(moving_budget_, moving_cost_, target_ms, most)
                          : most;
     draw_with(moving_budget_);
     moving_cost_ = cost();
@@ -150,8 +151,10 @@ class Viewer {
   bool refine() {
     const ViewOptions& options = state_.options;
     if (!drawn_ || is_hidden() || state_.figures.detail >= options.detail) return false;
-    const auto budget = still_budget(state_.figures.budget, cost(), options.still_ms,
-                                     std::uint64_t(options.budget));
+    const double allowed_ms =
+        options.still_ms > 0.0 ? time_for_trees(options.still_ms, state_.figures.scenery_ms) : 0.0;
+    const auto budget =
+        still_budget(state_.figures.budget, cost(), allowed_ms, std::uint64_t(options.budget));
     if (budget) draw_with(*budget);
     return budget.has_value();
   }
@@ -161,7 +164,7 @@ class Viewer {
     state_.figures = picture_.draw(camera, state_.options, budget, drawn_->wind_time_s);
   }
 
-  FrameCost cost() const { return {state_.figures.picture_ms, state_.figures.billboards}; }
+  FrameCost cost() const { return {state_.figures.trees_ms, state_.figures.billboards}; }
 
   void save_picture(const glm::ivec2& size) {
     state_.picture_wanted = false;

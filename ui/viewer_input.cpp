@@ -106,7 +106,7 @@ bool apply_input(ViewerState& state, const ForestScene& scene, const glm::ivec2&
   apply_switches(state, {pressed});
   const Strides strides = strides_held();
   if (!is_moving(strides)) return false;
-  constexpr double kLongestStep = 0.1;  // seconds: a slow frame must not throw the eye far
+  constexpr double kLongestStep = 0.5;  // seconds: a slow frame must not throw the eye far
   state.camera = moved(state.camera, strides, std::min(seconds, kLongestStep), scene.terrain);
   return true;
 }

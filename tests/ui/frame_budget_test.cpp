@@ -64,6 +64,11 @@ TEST(AdaptedBudget, KeepsBetweenItsBounds) {
   EXPECT_EQ(adapted_budget(0, {0.0, 0}, 30.0, 70000), 70000u);  // nothing was drawn yet
 }
 
+TEST(TimeForTrees, IsTheRestOfAFrameButNeverNothing) {
+  EXPECT_EQ(time_for_trees(40.0, 5.0), 35.0);
+  EXPECT_EQ(time_for_trees(40.0, 400.0), 200.0);
+}
+
 TEST(StillBudget, SpendsWhatAStillPictureMayTake) {
   EXPECT_EQ(still_budget(20000, {10.0, 20000}, 50.0, 0), 100000u);
   EXPECT_EQ(still_budget(20000, {10.0, 20000}, 5000.0, 0), 160000u);  // eight times at most
