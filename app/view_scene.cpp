@@ -1,6 +1,8 @@
 #include "app/view_scene.h"
 
 #include <CLI/Error.hpp>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "core/base/system_error.h"
@@ -56,17 +58,27 @@ std::vector<TreeInstance> scattered(const SceneArguments& arguments, const Scene
   return scatter_trees(crowns, density, arguments.scatter);
 }
 
-// The ground that trees of a table stand on: the one they were given, unless the table knows
-// heights of its own. Then a plane through their feet.
-Terrain ground_under(const std::vector<TreeInstance>& instances, const Terrain& terrain) {
-  std::vector<glm::dvec3> feet;
-  bool own_heights = false;
+double radius_of(const std::vector<TreeInstance>& instances) {
+  glm::dvec2 low(INFINITY), high(-INFINITY);
   for (const TreeInstance& instance : instances) {
-    const glm::dvec3& place = instance.place;
-    own_heights = own_heights || place.z != height_at(terrain, place.x, place.y);
-    feet.push_back(place);
+    low = glm::min(low, glm::dvec2(instance.place));
+    high = glm::max(high, glm::dvec2(instance.place));
   }
-  return own_heights ? plane_through(feet) : terrain;
+  return instances.empty() ? 0.0 : 0.5 * std::max(high.x - low.x, high.y - low.y);
+}
+
+// Whether a table told heights other than those of the terrain that it was read with.
+bool has_own_heights(const std::vector<TreeInstance>& instances, const Terrain& terrain) {
+  return std::any_of(instances.begin(), instances.end(), [&](const TreeInstance& instance) {
+    return instance.place.z != height_at(terrain, instance.place.x, instance.place.y);
+  });
+}
+
+// A plane through the trees' feet.
+Terrain ground_through(const std::vector<TreeInstance>& instances) {
+  std::vector<glm::dvec3> feet;
+  for (const TreeInstance& instance : instances) feet.push_back(instance.place);
+  return plane_through(feet);
 }
 
 }  // namespace
@@ -74,17 +86,21 @@ Terrain ground_under(const std::vector<TreeInstance>& instances, const Terrain& 
 ForestScene make_scene(const SceneArguments& arguments, Console& console) {
   check(arguments);
   SceneTrees trees = load_trees(arguments.packages, console);
-  Terrain terrain = terrain_of(arguments.scatter);
+  const Terrain hills = terrain_of(arguments.scatter);
   std::vector<TreeInstance> instances;
   if (arguments.positions.empty()) {
     instances = scattered(arguments, trees, console);
-    stand_on(terrain, instances);
   } else {
     std::vector<std::string> names;
     for (const auto& tree : trees) names.push_back(tree->name);
-    instances = read_positions(arguments.positions, names, terrain);
-    terrain = ground_under(instances, terrain);
+    instances = read_positions(arguments.positions, names, hills);
+    if (has_own_heights(instances, hills)) {
+      const Terrain plane = ground_through(instances);
+      return ForestScene(std::move(trees), std::move(instances), plane);
+    }
   }
+  const Terrain terrain = drawn_terrain(hills, radius_of(instances));
+  stand_on(terrain, instances);
   return ForestScene(std::move(trees), std::move(instances), terrain);
 }
 

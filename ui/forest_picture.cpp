@@ -45,7 +45,7 @@ ForestPicture::ForestPicture(const ForestScene& scene, std::string driver,
     : scene_(scene),
       driver_(std::move(driver)),
       precision_(precision),
-      scenery_(ground_grid(scene)),
+      scenery_(ground_points(scene)),
       renderer_(scene.forest) {}
 
 void ForestPicture::resize(const Lens& lens) {
@@ -86,8 +86,8 @@ FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& option
   target_->bind();
   target_->clear(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
   SceneryLook surroundings;
-  surroundings.visibility_m =
-      std::min(600.0, ground_reach(scene_) / 3.0);  // hides the ground's edge
+  // Haze that softens the ground's edge
+  surroundings.visibility_m = ground_grid(scene_.terrain, scene_.radius_m).reach_m / 2.0;
   scenery_.draw(camera, surroundings);
   scenery_.draw_shadows(scene_.forest, camera, surroundings);
   glFinish();

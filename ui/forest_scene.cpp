@@ -42,26 +42,36 @@ ForestScene::ForestScene(SceneTrees scene_trees, std::vector<TreeInstance> insta
   height_m = high.z - low.z;
 }
 
-double ground_reach(const ForestScene& scene) {
-  return std::clamp(4.0 * scene.radius_m, 600.0, 20000.0) + 2.0 * scene.radius_m;
+GroundGrid ground_grid(const Terrain& terrain, double radius_m) {
+  constexpr double kFinestStep = 1.5, kMostSteps = 800.0;
+  const bool is_plane = terrain.relief_m == 0.0;
+  GroundGrid grid;
+  grid.reach_m = radius_m + std::max(is_plane ? 3000.0 : 1000.0, 0.5 * radius_m);
+  grid.step_m = std::max(kFinestStep, 2.0 * grid.reach_m / kMostSteps);
+  if (is_plane) grid.step_m = 2.0 * grid.reach_m;
+  return grid;
 }
 
-Image<glm::vec3> ground_grid(const ForestScene& scene) {
-  constexpr double kStep = 1.5;  // metres: fine enough that trunks stand on it within a few cm
-  constexpr int kMost = 600;
-  const double reach = ground_reach(scene);
-  const bool is_plane = scene.terrain.relief_m == 0.0;
-  const int points = is_plane ? 2 : std::clamp(int(2.0 * reach / kStep), 64, kMost);
-  Image<glm::vec3> grid(points, points);
+Terrain drawn_terrain(const Terrain& terrain, double radius_m) {
+  constexpr double kStepsOfAHill = 4.0;
+  Terrain drawn = terrain;
+  drawn.finest_m = kStepsOfAHill * ground_grid(terrain, radius_m).step_m;
+  return drawn;
+}
+
+Image<glm::vec3> ground_points(const ForestScene& scene) {
+  const GroundGrid grid = ground_grid(scene.terrain, scene.radius_m);
+  const int points = 1 + int(std::lround(2.0 * grid.reach_m / grid.step_m));
+  Image<glm::vec3> ground(points, points);
   for (int row = 0; row < points; ++row) {
     for (int column = 0; column < points; ++column) {
       const glm::dvec2 share = glm::dvec2(column, row) / double(points - 1) - 0.5;
-      const double x = scene.middle.x + 2.0 * reach * share.x;
-      const double y = scene.middle.y - 2.0 * reach * share.y;
-      grid(column, row) = glm::vec3(x, y, height_at(scene.terrain, x, y));
+      const double x = scene.middle.x + 2.0 * grid.reach_m * share.x;
+      const double y = scene.middle.y - 2.0 * grid.reach_m * share.y;
+      ground(column, row) = glm::vec3(x, y, height_at(scene.terrain, x, y));
     }
   }
-  return grid;
+  return ground;
 }
 
 ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle) {

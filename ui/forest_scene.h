@@ -36,10 +36,18 @@ struct ForestScene {
   double radius_m = 0.0, height_m = 0.0;
 };
 
-// How far the ground reaches from the scene's middle.
-double ground_reach(const ForestScene& scene);
-// The ground as a square grid of points: rows from north to south, columns from west to east.
-Image<glm::vec3> ground_grid(const ForestScene& scene);
+// The ground is drawn as a square grid of points. A forest's is coarser the wider it is.
+struct GroundGrid {
+  double reach_m = 0.0;  // from the scene's middle to its edges
+  double step_m = 0.0;   // from point to point
+};
+// For a scene within `radius_m` of its middle.
+GroundGrid ground_grid(const Terrain& terrain, double radius_m);
+// The terrain without what such a grid cannot show, so that trunks stand on the ground that is
+// drawn.
+Terrain drawn_terrain(const Terrain& terrain, double radius_m);
+// Rows from north to south, columns from west to east.
+Image<glm::vec3> ground_points(const ForestScene& scene);
 
 // Outside the scene, from the south: all of a tree, or of a row, from about a person's height; a
 // forest from above its crowns.

@@ -38,6 +38,7 @@ double height_at(const Terrain& terrain, double x, double y) {
   if (terrain.relief_m == 0.0) return plane;
   double sum = 0.0, share = kFirstShare, width = terrain.hill_m;
   for (int octave = 0; octave < kOctaves; ++octave, share *= 0.5, width *= 0.5) {
+    if (width < terrain.finest_m) break;
     sum += share * value_noise(terrain.seed + std::uint64_t(octave), x / width, y / width);
   }
   return plane + 0.5 * terrain.relief_m * sum;

@@ -11,6 +11,7 @@ struct Terrain {
   double relief_m = 0.0;  // heights stay within half of it above and below the plane
   double hill_m = 80.0;   // from one hill to the next, about; above 0
   std::uint64_t seed = 1;
+  double finest_m = 0.0;  // octaves narrower than it are left out: for a ground drawn coarsely
   // The plane that hills rise from and sink below: height over (0, 0), and its rise a metre of x,
   // y.
   double base_m = 0.0;

@@ -51,6 +51,28 @@ TEST(Framing, LooksAtAForestFromOutsideAndAbove) {
   EXPECT_LT(view.pitch, 0.0);
 }
 
+TEST(Ground, HoldsTheTrunksOfSmallAndWideForests) {
+  for (const double radius : {20.0, 400.0, 4000.0}) {
+    const Terrain terrain = drawn_terrain({12.0, 80.0, 3}, radius);
+    std::vector<TreeInstance> instances(2);
+    instances[0].place = {-radius, -radius, 0.0};
+    instances[1].place = {radius, radius, 0.0};
+    const ForestScene scene({ball()}, std::move(instances), terrain);
+    const Image<glm::vec3> ground = ground_points(scene);
+    double worst = 0.0;
+    for (int i = 1; i < ground.height(); i += 7) {  // midway between two points of a row
+      const glm::dvec3 west = ground(i - 1, i), east = ground(i, i);
+      const glm::dvec3 middle = 0.5 * (west + east);
+      worst = std::max(worst, std::abs(height_at(terrain, middle.x, middle.y) - middle.z));
+    }
+    EXPECT_LT(worst, 0.2) << radius;  // metres: less than a trunk's flare
+    EXPECT_LT(ground(0, 0).x, -radius);
+    EXPECT_GT(ground(0, 0).y, radius);  // north first
+  }
+}
+
+TEST(Ground, OfAPlaneTakesFourPoints) { EXPECT_EQ(ground_points(scene_of(1)).size(), 4u); }
+
 TEST(Overdraw, IsTheBillboardsAreaOverThePictures) {
   const ForestScene scene = scene_of(1);
   const Camera camera = toy::look_at({0.0, -40.0, 1.0}, {0.0, 0.0, 1.0}, 2000.0, 200, 200);
