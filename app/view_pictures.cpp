@@ -72,7 +72,7 @@ class Painter {
 
   FrameFigures paint(const fs::path& path, const ViewCamera& view, double wind_time_s) {
     const Camera camera = camera_of(view, arguments_.size_px, view_angle(options_));
-    const FrameFigures figures =
+    FrameFigures figures =
         picture_.draw(camera, options_, std::uint64_t(options_.budget), wind_time_s);
     Image<glm::u8vec3> pixels = picture_.read();
     if (options_.cameras) paint_marks(pixels, view_marks(scene_, camera, target_of(view)));
@@ -94,9 +94,9 @@ void make_folder(const fs::path& folder) {
   if (failure) throw system_error(folder, "created", failure.value());
 }
 
-// Encodes the pictures in the folder; says what there is to say when that cannot be done. Written
-// beside its place and renamed, so that a video that is there is whole.
-std::optional<fs::path> make_video(const fs::path& folder, Console& console) {
+// Encodes the first pictures in the folder; says what there is to say when that cannot be done.
+// Written beside its place and renamed, so that a video that is there is whole.
+std::optional<fs::path> make_video(const fs::path& folder, int frames, Console& console) {
   const auto ffmpeg = find_program("ffmpeg");
   if (!ffmpeg) {
     console.say("no video: ffmpeg is not in PATH; the pictures are all there (Debian: ffmpeg)");
@@ -106,12 +106,18 @@ std::optional<fs::path> make_video(const fs::path& folder, Console& console) {
   const fs::path log = folder / "ffmpeg.log", video = folder / "turntable.mp4";
   std::error_code none;
   fs::remove(log, none);
-  const int status = run_program(
-      *ffmpeg,
-      {"-y", "-nostdin", "-loglevel", "error", "-framerate", std::to_string(kFramesPerSecond), "-i",
-       "frame-%04d.png", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18",
-       "-pix_fmt", "yuv420p", "-movflags", "+faststart", part},
-      folder, log, console.progress());
+  const int status = run_program(*ffmpeg, {"-y",         "-nostdin",
+                                           "-loglevel",  "error",
+                                           "-framerate", std::to_string(kFramesPerSecond),
+                                           "-i",         "frame-%04d.png",
+                                           "-frames:v",  std::to_string(frames),
+                                           "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                           "-c:v",       "libx264",
+                                           "-crf",       "18",
+                                           "-pix_fmt",   "yuv420p",
+                                           "-movflags",  "+faststart",
+                                           part},
+                                 folder, log, console.progress());
   if (status != 0) {
     fs::remove(folder / part, none);
     console.warn("no video: ffmpeg ended with status " + std::to_string(status) + "; see " +
@@ -147,7 +153,7 @@ void draw_pictures(const ForestScene& scene, const PictureArguments& arguments,
       pictures.push_back(path.string());
       console.progress().advance();
     }
-    const auto video = make_video(arguments.turntable, console);
+    const auto video = make_video(arguments.turntable, arguments.frames, console);
     if (video) result["video"] = video->string();
     text += printable(arguments.turntable) + ": " + std::to_string(arguments.frames) + " pictures" +
             (video ? " and a video; " : "; ");

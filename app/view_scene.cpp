@@ -77,6 +77,7 @@ bool has_own_heights(const std::vector<TreeInstance>& instances, const Terrain& 
 // A plane through the trees' feet.
 Terrain ground_through(const std::vector<TreeInstance>& instances) {
   std::vector<glm::dvec3> feet;
+  feet.reserve(instances.size());
   for (const TreeInstance& instance : instances) feet.push_back(instance.place);
   return plane_through(feet);
 }
