@@ -132,7 +132,7 @@ void add_picture_options(CLI::App& command, ViewArguments& arguments) {
   command
       .add_option(
           "--eye", arguments.eye,
-          "where the eye is, metres east, north and up (from where all trees are seen unless "
+          "where the eye is, metres east, north and up (outside the trees, in the south, unless "
           "given)")
       ->type_name("X,Y,Z")
       ->group(group);

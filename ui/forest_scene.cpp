@@ -87,8 +87,9 @@ ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double v
     return looking_at(ViewCamera{}, scene.middle + glm::dvec3(0.0, -back, eye_height), at);
   }
   const glm::dvec3 at = scene.middle + glm::dvec3(0.0, 0.0, 0.3 * height);
-  const glm::dvec3 eye(scene.middle.x, scene.middle.y - radius - 1.5 * height,
-                       scene.middle.z + 1.1 * height + 0.1 * radius);
+  const double clear = std::clamp(radius / (slope * aspect), 1.5 * height, 3.5 * height);
+  const glm::dvec3 eye =
+      scene.middle + glm::dvec3(0.0, -radius - clear, 1.1 * height + 0.1 * radius);
   return looking_at(ViewCamera{}, eye, at);
 }
 

@@ -50,7 +50,7 @@ Terrain drawn_terrain(const Terrain& terrain, double radius_m);
 Image<glm::vec3> ground_points(const ForestScene& scene);
 
 // Outside the scene, from the south: all of a tree, or of a row, from about a person's height; a
-// forest from above its crowns.
+// forest from above its crowns, all of it where it isn't wide.
 ViewCamera framing(const ForestScene& scene, const glm::ivec2& size_px, double view_angle);
 
 }  // namespace bosk
