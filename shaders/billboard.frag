@@ -9,6 +9,8 @@
 #include "pairs.glsl"
 #include "record.glsl"
 
+const float kFadeSlack = 1.0 / 32.0;  // core/render/draw_list.h
+
 layout(location = 0) flat in vec4 centre_and_passes;
 layout(location = 1) flat in vec3 slants;
 layout(location = 2) flat in uvec4 textures;
@@ -163,6 +165,6 @@ void main() {
   mean.rgb = colours == kTree ? mean.rgb * tint.rgb : mean.a * tint.rgb;
   float fade = slants.z;
   if (fade < 1.0 && mean.a > 0.0)
-    mean *= (1.0 - pow(max(1.0 - mean.a, 0.0), fade)) / mean.a;
+    mean *= (1.0 - pow(max(1.0 - mean.a * (1.0 - kFadeSlack * (1.0 - fade)), 0.0), fade)) / mean.a;
   premultiplied = mean;
 }

@@ -30,6 +30,8 @@ struct DrawOptions {
   double half_angle = 0.5 * std::numbers::pi;
 };
 
+inline constexpr float kFadeSlack = 1.0f / 32.0f;
+
 // A run of cells, drawn one after the other: entries `first`, `first + 1` ... of
 // PreparedTree::order_table(), or `first`, `first - 1` ... when backwards; `count` of them. Where
 // the eye's planes cut the run's region, several ranges name the same cells and each draws its
@@ -43,7 +45,8 @@ struct DrawRange {
   std::uint8_t high = 0;       // bit per axis: the high one
   std::uint8_t cut = 0;        // of PreparedTree, that the cells belong to
   // While two levels dissolve into each other each draws its share: an opacity a becomes
-  // 1 - (1 - a)^fade, so that together they stop the light that either would alone.
+  // 1 - (1 - a (1 - kFadeSlack (1 - fade)))^fade. Together they stop about the light that either
+  // would alone; without the slack opaque pixels would change at once, since 0^fade is 0.
   float fade = 1.0f;
 
   bool operator==(const DrawRange&) const = default;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/render/draw_list.h"
+
 namespace bosk {
 namespace {
 
@@ -20,11 +22,12 @@ PixelRange pixels_touched(float centre, float half, int size) {
   return {std::max(0, int(std::ceil(low))), std::min(size - 1, int(std::floor(high)))};
 }
 
-// A premultiplied colour whose opacity a becomes 1 - (1 - a)^fade.
+// A premultiplied colour whose opacity is that of its share while levels dissolve
+// (DrawRange::fade).
 Float4 faded(Float4 colour, float fade) {
   if (fade >= 1.0f || !(colour[3] > 0.0f)) return colour;
-  const float clear = std::max(0.0f, 1.0f - colour[3]);
-  return colour * ((1.0f - std::pow(clear, fade)) / colour[3]);
+  const float clear = 1.0f - colour[3] * (1.0f - kFadeSlack * (1.0f - fade));
+  return colour * ((1.0f - std::pow(std::max(clear, 0.0f), fade)) / colour[3]);
 }
 
 Float4 splat4(float value) { return Float4{value, value, value, value}; }

@@ -28,7 +28,7 @@ struct Tile {
   Float4 pixels[kTile_px * kTile_px];
 };
 
-// Draws the splat over what the tile holds, with opacities a of 1 - (1 - a)^fade. `texture`: texels
+// Draws the splat over what the tile holds, faded as DrawRange::fade says. `texture`: texels
 // x texels, premultiplied, row by row; texels is 4 or 8. Each pixel gets the mean, over its own
 // area, of the texture interpolated linearly between texel centres, held constant beyond the outer
 // ones and transparent outside the square: so a splat of any size and place adds the same opacity

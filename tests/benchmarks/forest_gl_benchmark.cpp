@@ -249,6 +249,7 @@ int run(int count, char** arguments) {
   std::vector<TreeModel> models;
   for (int i = 3; i < count; ++i) models.push_back(load_tree(arguments[i]));
   std::vector<std::shared_ptr<const PreparedTree>> trees;
+  trees.reserve(models.size());
   for (const TreeModel& model : models) trees.push_back(std::make_shared<PreparedTree>(model));
   const HeadlessContext context;
   std::printf("%s\n\n", context.description().c_str());
