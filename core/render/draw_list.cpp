@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kEvenFineness = 1.0 / 16.0;   // differences of it within a node that don't show
 constexpr int kLevelsOfNode = 4;               // nodes of 2^4 cells a side are not divided
+constexpr int kLevelsOfEven = 5;               // nor those of 2^5 only since their levels differ
 constexpr std::uint32_t kCheapTwice = 512;     // cells that are sooner looked at twice than divided
 constexpr std::uint32_t kCheapOutside = 2048;  // cells partly outside the cone that are not divided
 
@@ -91,15 +92,20 @@ class RangeWalk {
     return cut;
   }
 
+  // Nodes are as small as the finest level asks for that shows anywhere in them, so that where they
+  // are divided does not hang on a level that is just about to show.
   bool must_divide(const PreparedTree::Node& node, double depth, double fineness,
                    bool cone_cuts) const {
-    const int cut = chooser_.steps_[std::size_t(fineness)].cut;
-    const PreparedTree::Run& run = tree_.run(node, cut);
-    if (!run.whole || node.depth >= tree_.level_of_cut(cut).level - kLevelsOfNode) return false;
+    const double reach = 0.8661 * node.size_m;
+    const double finest = chooser_.fineness(depth - reach);
+    const int finest_cut = chooser_.steps_[std::size_t(std::ceil(finest))].cut;
+    const int levels = tree_.level_of_cut(finest_cut).level - node.depth;  // in the node
+    if (levels <= kLevelsOfNode) return false;
+    const PreparedTree::Run& run = tree_.run(node, chooser_.steps_[std::size_t(fineness)].cut);
+    if (!run.whole) return false;
     if (cone_cuts && run.count > kCheapOutside) return true;
     if (axes_inside(eye_, node) != 0 && run.count > kCheapTwice) return true;
-    const double reach = 0.8661 * node.size_m;
-    return chooser_.fineness(depth - reach) - chooser_.fineness(depth + reach) > kEvenFineness;
+    return levels > kLevelsOfEven && finest - chooser_.fineness(depth + reach) > kEvenFineness;
   }
 
   void draw(const PreparedTree::Node& node, double fineness) {
@@ -159,6 +165,7 @@ RangeChooser::RangeChooser(const PreparedTree& tree, double focal_px, const Draw
       cone_sine_(std::sin(options.half_angle)) {
   double widest_side = 1.0;
   const double dissolve = std::max(options.dissolve, 1.0);
+  per_log_depth_ = 1.0 / std::log(dissolve);  // not used when levels change at once
   for (int cut = 0; cut < tree.cut_count(); ++cut) {
     const TreeLevel& level = tree.level_of_cut(cut);
     widest_side = std::max(widest_side, double(level.side_factor));
@@ -184,8 +191,7 @@ double RangeChooser::fineness(double depth) const {
   for (std::size_t at = 0; at + 1 < steps_.size(); ++at) {
     if (depth >= steps_[at].whole_depth) return double(at);
     if (depth > steps_[at].gone_depth) {
-      return double(at) + std::log(steps_[at].whole_depth / depth) /
-                              std::log(steps_[at].whole_depth / steps_[at].gone_depth);
+      return double(at) + std::log(steps_[at].whole_depth / depth) * per_log_depth_;
     }
   }
   return double(steps_.size() - 1);

@@ -64,9 +64,9 @@ class RangeChooser {
 
   // Appends ranges in back-to-front order, exact for the cells' cubes from every eye, also inside
   // the crown. They cover the tree's part in the cone once. Planes of equal depth along `forward`
-  // part the levels (Linz et al. 2006, section 3.1), for nodes of 16 cells a side at once; a level
-  // serves where its cells' size on screen is at most TreeLevel::max_cell_px. Eye and forward are
-  // in the tree's own frame.
+  // part the levels (Linz et al. 2006, section 3.1), for nodes of 16 to 32 cells a side at once; a
+  // level serves where its cells' size on screen is at most TreeLevel::max_cell_px. Eye and forward
+  // are in the tree's own frame.
   void append(const glm::dvec3& eye, const glm::dvec3& forward, std::uint32_t instance,
               std::vector<DrawRange>& ranges) const;
 
@@ -86,6 +86,7 @@ class RangeChooser {
 
   const PreparedTree* tree_;
   std::vector<Step> steps_;
+  double per_log_depth_ = 0.0;  // fineness, while levels dissolve
   double cone_cosine_, cone_sine_;
   double reach_ = 0.0;           // of a billboard from its cell's middle, relative to the cell
   double largest_cell_m_ = 0.0;  // of the cuts in use

@@ -13,6 +13,7 @@ namespace bosk {
 namespace {
 
 constexpr double kLeastDetail = 1.0 / 1024.0;
+constexpr std::size_t kBatch = 64;         // instances
 constexpr double kDetailTolerance = 0.03;  // octaves
 
 glm::dvec3 turned(const glm::dvec3& v, double cosine, double sine) {
@@ -73,6 +74,18 @@ double depth_of_bin(std::size_t bin) {
   return double(std::bit_cast<float>(std::uint32_t(bin) << kDepthShift | 1u << (kDepthShift - 1)));
 }
 
+// Of the ranges from `first` on, all of one tree.
+void count_billboards(const PreparedTree& tree, std::size_t first, ForestDrawList& list) {
+  for (std::size_t i = first; i < list.ranges.size(); ++i) {
+    const DrawRange& range = list.ranges[i];
+    if (range.high != 0) continue;  // the cells of a divided node are counted with its lowest part
+    const auto level = std::size_t(tree.level_of_cut(range.cut).level);
+    if (list.by_level.size() <= level) list.by_level.resize(level + 1);
+    list.by_level[level] += range.count;
+    list.billboards += range.count;
+  }
+}
+
 class Cone {
  public:
   Cone(const Viewpoint& viewpoint, double half_angle)
@@ -116,8 +129,8 @@ Forest::Forest(std::vector<std::shared_ptr<const PreparedTree>> trees,
     const glm::dvec3 half = 0.5 * (tree.upper() - tree.lower());
     stands_.push_back({world_from_tree(instance, tree.lower() + half),
                        instance.scale * (glm::length(half) + billboard_reach_m(tree)),
-                       instance.scale * 0.5 * (half.x + half.y), std::cos(instance.turn),
-                       std::sin(instance.turn)});
+                       instance.scale * 0.5 * (half.x + half.y), instance.place, instance.scale,
+                       std::cos(instance.turn), std::sin(instance.turn), instance.tree});
     largest_radius_m_ = std::max(largest_radius_m_, stands_.back().crown_radius_m);
   }
 }
@@ -126,6 +139,7 @@ void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
                             ForestDrawList& list) const {
   const Cone cone(viewpoint, half_angle);
   list.keys.clear();
+  list.depths.assign(trees_.size() * kDepthBins, 0);
   for (std::uint32_t i = 0; i < stands_.size(); ++i) {
     const Stand& stand = stands_[i];
     if (cone.misses(stand.centre, stand.reach_m)) continue;
@@ -133,6 +147,9 @@ void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
     // Powers are negative within a crown, at least -radius^2: shifted, so that they order as floats
     const double power = glm::dot(away, away) - stand.crown_radius_m * stand.crown_radius_m;
     list.keys.push_back(key_of(power + largest_radius_m_ * largest_radius_m_, i));
+    const double depth = level_depth(stand.centre - viewpoint.eye, viewpoint.forward);
+    const double in_tree = std::max(depth, 0.5 * stand.crown_radius_m) / stand.scale;
+    ++list.depths[stand.tree * kDepthBins + depth_bin(in_tree)];
   }
   sort_far_first(list.keys, list.spare_keys);
   list.instances.clear();
@@ -140,16 +157,8 @@ void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
 }
 
 double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
-                                 std::uint64_t budget, ForestDrawList& list) const {
+                                 std::uint64_t budget, const ForestDrawList& list) const {
   if (budget == 0) return options.detail;
-  // Count together what trees of one kind at about the same depth cost
-  list.depths.assign(trees_.size() * kDepthBins, 0);
-  for (const std::uint32_t i : list.instances) {
-    const Stand& stand = stands_[i];
-    const double depth = level_depth(stand.centre - viewpoint.eye, viewpoint.forward);
-    const double in_tree = std::max(depth, 0.5 * stand.crown_radius_m) / instances_[i].scale;
-    ++list.depths[instances_[i].tree * kDepthBins + depth_bin(in_tree)];
-  }
   const auto billboards = [&](double detail) {
     DrawOptions coarser = options;
     coarser.detail = detail;
@@ -183,21 +192,21 @@ void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, s
   afforded.detail = list.detail = affordable_detail(viewpoint, options, budget, list);
   std::vector<RangeChooser> choosers;
   for (const auto& tree : trees_) choosers.emplace_back(*tree, viewpoint.focal_px, afforded);
-  for (const std::uint32_t i : list.instances) {
-    const TreeInstance& instance = instances_[i];
-    const Stand& stand = stands_[i];
-    const glm::dvec3 eye =
-        turned(viewpoint.eye - instance.place, stand.cosine, -stand.sine) / instance.scale;
-    const glm::dvec3 forward = turned(viewpoint.forward, stand.cosine, -stand.sine);
-    choosers[instance.tree].append(eye, forward, i, list.ranges);
-  }
-  for (const DrawRange& range : list.ranges) {
-    if (range.high != 0) continue;  // the cells of a divided node are counted with its lowest part
-    const PreparedTree& tree = *trees_[instances_[range.instance].tree];
-    const auto level = std::size_t(tree.level_of_cut(range.cut).level);
-    if (list.by_level.size() <= level) list.by_level.resize(level + 1);
-    list.by_level[level] += range.count;
-    list.billboards += range.count;
+  // In batches: what far-apart instances need is fetched from memory in a loop of its own, so that
+  // the processor waits for many at once
+  std::array<Stand, kBatch> stands;
+  for (std::size_t first = 0; first < list.instances.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, list.instances.size() - first);
+    for (std::size_t i = 0; i < count; ++i) stands[i] = stands_[list.instances[first + i]];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Stand& stand = stands[i];
+      const glm::dvec3 eye =
+          turned(viewpoint.eye - stand.place, stand.cosine, -stand.sine) / stand.scale;
+      const glm::dvec3 forward = turned(viewpoint.forward, stand.cosine, -stand.sine);
+      const std::size_t before = list.ranges.size();
+      choosers[stand.tree].append(eye, forward, list.instances[first + i], list.ranges);
+      count_billboards(*trees_[stand.tree], before, list);
+    }
   }
 }
 

@@ -30,7 +30,7 @@ struct ForestDrawList {
 
   // Working memory, kept from frame to frame
   std::vector<std::uint64_t> keys, spare_keys;
-  std::vector<std::uint32_t> depths;
+  std::vector<std::uint32_t> depths;  // how many trees of each kind at about each depth
 };
 
 // Trees and where they stand, prepared for drawing from any eye.
@@ -58,11 +58,14 @@ class Forest {
     glm::dvec3 centre{0.0};  // of the crown's box, world frame
     double reach_m = 0.0;    // of the crown and its billboards from there
     double crown_radius_m = 0.0;
+    glm::dvec3 place{0.0};  // from here on as in TreeInstance
+    double scale = 1.0;
     double cosine = 1.0, sine = 0.0;  // of its turn
+    std::uint32_t tree = 0;
   };
   void list_instances(const Viewpoint& viewpoint, double half_angle, ForestDrawList& list) const;
   double affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
-                           std::uint64_t budget, ForestDrawList& list) const;
+                           std::uint64_t budget, const ForestDrawList& list) const;
 
   std::vector<std::shared_ptr<const PreparedTree>> trees_;
   std::vector<TreeInstance> instances_;

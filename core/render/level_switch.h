@@ -10,7 +10,7 @@
 namespace bosk {
 
 struct LevelSwitchOptions {
-  double least_psnr_db = 32.0;  // a level serves while it is this near to the finest one ...
+  double least_psnr_db = 31.0;  // a level serves while it is this near to the finest one ...
   double slack_db = 1.0;  // ... or at most this much farther from the truth than the best level
   int most_cameras = 2;   // spread over the list that is given
 };
