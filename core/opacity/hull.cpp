@@ -171,11 +171,30 @@ std::optional<Silhouette::Rectangle> Silhouette::footprint(const glm::dvec3& low
 }
 
 Silhouette::Verdict Silhouette::look_at(const glm::dvec3& lower_in_world, double edge_m) const {
+  if (const auto verdict = glance_at(lower_in_world, edge_m)) return *verdict;
   const std::optional<Rectangle> seen = footprint(lower_in_world, edge_m);
-  if (!seen || seen->x0 < 0 || seen->y0 < 0 || seen->x1 > width() || seen->y1 > height()) {
-    return Verdict::unseen;
-  }
+  if (!seen || !holds(*seen)) return Verdict::unseen;
   return count(*seen) == 0 ? Verdict::empty : Verdict::occupied;
+}
+
+// A corner at c + d, |d| <= r, is seen at most r (1 + |x / z|) / (z - r) from the centre c = (x, y,
+// z), in focal lengths: (x + dx) / (z + dz) - x / z = (dx - x / z dz) / (z + dz).
+std::optional<Silhouette::Verdict> Silhouette::glance_at(const glm::dvec3& lower_in_world,
+                                                         double edge_m) const {
+  const glm::dvec3 centre = camera_.camera_from_world * (lower_in_world + 0.5 * edge_m);
+  const double radius = 0.8661 * edge_m;
+  if (!(centre.z - radius > 1e-9)) return std::nullopt;
+  const glm::dvec2 seen = glm::dvec2(centre) / centre.z;
+  const glm::dvec2 pixel = camera_.lens.focal_px * seen + camera_.lens.principal_px + 0.5;
+  const glm::dvec2 reach =
+      camera_.lens.focal_px * (1.0 + glm::abs(seen)) * (radius / (centre.z - radius));
+  const glm::dvec2 low = pixel - reach, high = pixel + reach;
+  if (!(low.x >= 0.0 && low.y >= 0.0 && high.x < width() - 1.0 && high.y < height() - 1.0))
+    return std::nullopt;
+  if (count({int(low.x), int(low.y), int(high.x) + 1, int(high.y) + 1}) == 0) return Verdict::empty;
+  const int x = int(pixel.x), y = int(pixel.y);
+  if (count({x, y, x + 1, y + 1}) > 0) return Verdict::occupied;
+  return std::nullopt;
 }
 
 std::vector<glm::ivec3> carve_hull(const std::vector<Silhouette>& silhouettes, const Cube& cube,

@@ -41,6 +41,13 @@ class Silhouette {
   const Camera& camera() const { return camera_; }
 
  private:
+  // The verdict where a circle around the cube decides it: most of the time, at an eighth of the
+  // cost. Else none.
+  std::optional<Verdict> glance_at(const glm::dvec3& lower_in_world, double edge_m) const;
+  bool holds(const Rectangle& r) const {
+    return r.x0 >= 0 && r.y0 >= 0 && r.x1 <= width() && r.y1 <= height();
+  }
+
   Camera camera_;
   Image<std::uint32_t> sums_;  // (width + 1) x (height + 1)
 };

@@ -18,7 +18,7 @@ constexpr float kSilhouetteAlpha = 0.0f;  // any opacity keeps a cell in the hul
 constexpr int kCoarsestLevel = 5;
 constexpr int kFinestLevel = 9;   // 512 cells a side
 constexpr int kFinestChosen = 8;  // unless asked for: leaves one level to radiance
-constexpr int kCountedLevel = 6;  // this and the next tell how the hull's cells grow in number
+constexpr int kCountedLevel = 7;  // this and the one above tell how the hull's cells grow in number
 constexpr double kRaysAcrossCell =
     1.25;  // pixels averaged so that about this many cross a cell: more gave no better start
 constexpr double kCrownShare = 0.05, kCastingShare = 0.4;  // of the time, for the progress
@@ -60,16 +60,26 @@ struct Frame {
   int finest = kCoarsestLevel;
 };
 
+std::size_t parent_count(const std::vector<glm::ivec3>& cells, int level) {
+  std::vector<std::uint32_t> parents;
+  parents.reserve(cells.size());
+  for (const glm::ivec3& cell : cells) {
+    const glm::uvec3 parent = glm::uvec3(cell) / 2u;
+    parents.push_back((((parent.z << (level - 1)) + parent.y) << (level - 1)) + parent.x);
+  }
+  std::sort(parents.begin(), parents.end());
+  return std::size_t(std::unique(parents.begin(), parents.end()) - parents.begin());
+}
+
 // Cells across the crown with which the hull holds about `most` cells: the hull's count at two
 // levels gives the power of the edge that it grows with (3 for a solid, near 2 for thin branches).
 double cells_across_for(double most, const std::vector<Silhouette>& silhouettes, const Cube& crown,
                         Progress& progress) {
-  const auto count = [&](int level) {
-    return double(std::max<std::size_t>(carve_hull(silhouettes, crown, level, progress).size(), 1));
-  };
-  const double coarse = count(kCountedLevel), fine = count(kCountedLevel + 1);
+  const std::vector<glm::ivec3> cells = carve_hull(silhouettes, crown, kCountedLevel, progress);
+  const auto fine = double(std::max<std::size_t>(cells.size(), 1));
+  const auto coarse = double(std::max<std::size_t>(parent_count(cells, kCountedLevel), 1));
   const double power = std::clamp(std::log2(fine / coarse), 1.0, 3.0);
-  return double(2 << kCountedLevel) * std::pow(most / fine, 1.0 / power);
+  return double(1 << kCountedLevel) * std::pow(most / fine, 1.0 / power);
 }
 
 Frame frame_of(const Cube& crown, double cells, int finest_level) {
