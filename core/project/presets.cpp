@@ -24,7 +24,7 @@ const std::vector<Preset>& presets() {
   static const std::vector<Preset> all = {
       {"fast",
        "a look within a minute",
-       {{"opacity.max_cells", "600"},
+       {{"opacity.max_cells", "540"},
         {"radiance.max_samples", "200"},
         {"radiance.subsets", "32"},
         {"radiance.epochs", "1"},
