@@ -13,8 +13,9 @@ namespace bosk {
 namespace {
 
 Error no_context(const std::string& why) {
-  return Error("OpenGL cannot be used without a window: " + why +
-               "; install a driver (Debian: libgl1-mesa-dri libegl1) or render without --gl");
+  return Error(
+      "OpenGL cannot be used without a window: " + why +
+      "; install a driver (Debian: libgl1-mesa-dri libegl1); bosk render without --gl needs none");
 }
 
 bool has_extension(const char* list, const char* name) {

@@ -21,7 +21,7 @@ OffscreenTarget::OffscreenTarget(int width_px, int height_px, Precision precisio
   if (width_px > most || height_px > most)
     throw Error("a picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
                 " px is larger than this OpenGL draws (" + std::to_string(most) +
-                " px); render a smaller one or without --gl");
+                " px); ask for a smaller one");
   const int width = std::max(width_px, 1), height = std::max(height_px, 1);
   const GLenum format = precision == Precision::bits_16 ? GL_RGBA16F : GL_RGBA32F;
   glTextureStorage2D(colour_.name(), 1, format, width, height);
