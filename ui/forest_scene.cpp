@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/billboard_geometry.h"
 #include "core/render/scatter.h"
 
 namespace bosk {
@@ -14,11 +15,50 @@ std::vector<std::shared_ptr<const PreparedTree>> prepared_of(const SceneTrees& t
   return prepared;
 }
 
+// Centres of the finest cells, world frame.
+std::vector<glm::dvec3> finest_centres(const TreeModel& model) {
+  std::vector<glm::dvec3> centres;
+  if (model.levels.empty()) return centres;
+  const TreeLevel& finest = model.levels.back();
+  centres.reserve(finest.cells.size());
+  for (const std::uint64_t code : finest.cells)
+    centres.push_back(cell_centre_in_world(model, finest.level, code));
+  return centres;
+}
+
+// Cameras from elsewhere may have an origin far from the tree. Then the tree is moved: the middle
+// of its lowest twentieth to the origin.
+TreeModel on_its_foot(TreeModel model) {
+  const std::vector<glm::dvec3> centres = finest_centres(model);
+  if (centres.empty()) return model;
+  glm::dvec3 low = centres.front(), high = low;
+  for (const glm::dvec3& centre : centres) {
+    low = glm::min(low, centre);
+    high = glm::max(high, centre);
+  }
+  const double height = high.z - low.z;
+  const bool stands = low.x <= 0.0 && low.y <= 0.0 && high.x >= 0.0 && high.y >= 0.0 &&
+                      std::abs(low.z) <= 0.25 * height;
+  if (stands) return model;
+  glm::dvec3 sum(0.0);
+  double count = 0.0;
+  for (const glm::dvec3& centre : centres) {
+    if (centre.z > low.z + 0.05 * height) continue;
+    sum += centre;
+    count += 1.0;
+  }
+  const glm::dvec3 foot(sum.x / count, sum.y / count, low.z);
+  model.origin -= foot;
+  for (glm::dvec3& view : model.view_positions) view -= foot;
+  model.metadata.height_m -= foot.z;
+  return model;
+}
+
 }  // namespace
 
 SceneTree::SceneTree(std::string tree_name, TreeModel tree_model)
     : name(std::move(tree_name)),
-      model(std::move(tree_model)),
+      model(on_its_foot(std::move(tree_model))),
       prepared(model),
       crown_radius_m(crown_radius(model)) {}
 

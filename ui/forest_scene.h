@@ -11,7 +11,7 @@
 
 namespace bosk {
 
-// A package made ready for drawing.
+// A package made ready for drawing. A tree whose foot is far from its origin is moved there.
 struct SceneTree {
   SceneTree(std::string tree_name, TreeModel tree_model);
   SceneTree(const SceneTree&) = delete;

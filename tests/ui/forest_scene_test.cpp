@@ -43,6 +43,24 @@ TEST(Framing, HoldsTheWholeTreeInEveryShapeOfPicture) {
   }
 }
 
+TEST(SceneTree, StandsAtItsOriginWhereverItWasCaptured) {
+  const glm::dvec3 away(120.0, -40.0, -7.0);
+  TreeModel model = toy::random_ball(1);
+  model.origin += away;
+  for (glm::dvec3& view : model.view_positions) view += away;
+  model.metadata.height_m = 2.0 + away.z;
+  const SceneTree moved("ball", model);
+  EXPECT_NEAR(moved.model.metadata.height_m, 2.0, 0.2);  // the ball hangs 0.1 above its cube's foot
+  EXPECT_NEAR(moved.crown_radius_m, ball()->crown_radius_m,
+              0.3);  // its lowest cells are off its axis
+  EXPECT_LT(glm::length(moved.prepared.lower() - glm::dvec3(-1, -1, 0)), 0.4);
+  // Views move along
+  EXPECT_NEAR(glm::distance(moved.model.view_positions[0], moved.model.origin),
+              glm::distance(model.view_positions[0], model.origin), 1e-9);
+  // One that stands at its origin is left as it is
+  EXPECT_EQ(ball()->model.origin, toy::random_ball(1).origin);
+}
+
 TEST(Framing, LooksAtAForestFromOutsideAndAbove) {
   const ForestScene scene = scene_of(50);
   const ViewCamera view = framing(scene, {800, 600}, 0.8);
