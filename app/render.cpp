@@ -54,7 +54,7 @@ struct GlStand {
     target.bind();
     target.clear(glm::vec4(0.0f));
     forest.draw_list(viewpoint_of(camera), draw_options(options), 0, list);
-    renderer.draw(list, camera, {.blend = blend_rule(options)});
+    renderer.draw(list, camera, {.blend = blend_rule(options.blend)});
     return straight_from_premultiplied(target.read());
   }
 

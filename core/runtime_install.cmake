@@ -6,7 +6,7 @@ set(runtime_headers
   core/base/error.h
   core/package/reader.h core/package/tree_model.h
   core/render/billboard_geometry.h core/render/draw_list.h core/render/forest.h core/render/prepared_tree.h
-  core/render/view_blend.h)
+  core/render/view_blend.h core/render/view_cone.h)
 
 add_library(bosk_runtime_and_draw_list INTERFACE)
 target_link_libraries(bosk_runtime_and_draw_list INTERFACE bosk_runtime bosk_draw_list)

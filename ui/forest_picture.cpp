@@ -13,15 +13,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBudgetTolerance = 1.1;
-
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 ForestLook look_of(const ViewOptions& options, double wind_time_s) {
   ForestLook look;
-  look.blend = blend_rule(options);
+  look.blend = blend_rule(options.blend);
   look.wind_m = options.wind_m;
   look.wind_time_s = wind_time_s;
   using Colours = ForestLook::Colours;
@@ -56,31 +54,12 @@ void ForestPicture::resize(const Lens& lens) {
   target_.emplace(lens.width_px, lens.height_px, precision_);
 }
 
-// A list's budget is met about: a tree of which a part crosses to a much finer level may go far
-// beyond. Then the largest budget is looked for whose list keeps to the one that was given.
-void ForestPicture::make_list(const Camera& camera, const ViewOptions& options,
-                              std::uint64_t budget) {
-  constexpr int kSteps = 6;
-  const Viewpoint viewpoint = viewpoint_of(camera);
-  const DrawOptions draw = draw_options(options, half_angle_of(camera));
-  const auto keeps_to_budget = [&](double asked) {
-    scene_.forest.draw_list(viewpoint, draw, std::uint64_t(asked), list_);
-    return budget == 0 || double(list_.billboards) <= kBudgetTolerance * double(budget);
-  };
-  if (keeps_to_budget(double(budget))) return;
-  double kept = 1.0, broken = double(budget);
-  for (int step = 0; step < kSteps; ++step) {
-    const double middle = 0.5 * (kept + broken);
-    (keeps_to_budget(middle) ? kept : broken) = middle;
-  }
-  keeps_to_budget(kept);
-}
-
 FrameFigures ForestPicture::draw(const Camera& camera, const ViewOptions& options,
                                  std::uint64_t budget, double wind_time_s) {
   FrameFigures figures;
   const auto start = Clock::now();
-  make_list(camera, options, budget);
+  scene_.forest.draw_list(viewpoint_of(camera), draw_options(options, half_angle_of(camera)),
+                          budget, list_);
   figures.list_ms = ms_since(start);
   resize(camera.lens);
   target_->bind();

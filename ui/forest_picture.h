@@ -34,7 +34,6 @@ class ForestPicture {
 
  private:
   void resize(const Lens& lens);
-  void make_list(const Camera& camera, const ViewOptions& options, std::uint64_t budget);
 
   const ForestScene& scene_;
   std::string driver_;

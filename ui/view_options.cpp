@@ -69,10 +69,6 @@ DrawOptions draw_options(const ViewOptions& options, double half_angle) {
   return draw;
 }
 
-BlendRule blend_rule(const ViewOptions& options) {
-  return options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
-}
-
 double view_angle(const ViewOptions& options) {
   return options.view_angle_deg * std::numbers::pi / 180.0;
 }

@@ -24,7 +24,6 @@ struct ViewOptions {
 Options describe(ViewOptions& options);
 
 DrawOptions draw_options(const ViewOptions& options, double half_angle);
-BlendRule blend_rule(const ViewOptions& options);
 double view_angle(const ViewOptions& options);  // radians
 
 }  // namespace bosk

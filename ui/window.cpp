@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/render/gl/gl_object.h"
 
 namespace bosk {
 namespace {
@@ -105,13 +106,7 @@ glm::ivec2 Window::size_px() const {
   return size;
 }
 
-std::string Window::driver() const {
-  const auto text = [](GLenum name) {
-    const GLubyte* value = glGetString(name);
-    return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
-  };
-  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
-}
+std::string Window::driver() const { return driver_description(); }
 
 double Window::seconds() const { return glfwGetTime(); }
 

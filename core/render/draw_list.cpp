@@ -58,8 +58,7 @@ class RangeWalk {
 
   void visit(const PreparedTree::Node& node) {
     const glm::dvec3 from_eye = node.centre - eye_;
-    const double depth = glm::dot(from_eye, forward_);
-    const double beyond_m = beyond_cone(from_eye, depth);
+    const double beyond_m = chooser_.cone_.beyond(from_eye, forward_);
     const double radius_m =
         0.8661 * node.size_m + chooser_.reach_ * std::min(node.size_m, chooser_.largest_cell_m_);
     if (beyond_m > radius_m) return;
@@ -79,12 +78,6 @@ class RangeWalk {
   }
 
  private:
-  // Distance from the cone's surface, negative inside.
-  double beyond_cone(const glm::dvec3& from_eye, double depth) const {
-    const double across = std::sqrt(std::max(0.0, glm::dot(from_eye, from_eye) - depth * depth));
-    return across * chooser_.cone_cosine_ - depth * chooser_.cone_sine_;
-  }
-
   // The coarsest cut that may draw a node of this fineness and lies within it.
   int cut_for(const PreparedTree::Node& node, std::size_t step) const {
     int cut = chooser_.steps_[step].cut;
@@ -160,9 +153,7 @@ double level_depth(const glm::dvec3& from_eye, const glm::dvec3& forward) {
 }
 
 RangeChooser::RangeChooser(const PreparedTree& tree, double focal_px, const DrawOptions& options)
-    : tree_(&tree),
-      cone_cosine_(std::cos(options.half_angle)),
-      cone_sine_(std::sin(options.half_angle)) {
+    : tree_(&tree), cone_(options.half_angle) {
   double widest_side = 1.0;
   const double dissolve = std::max(options.dissolve, 1.0);
   per_log_depth_ = 1.0 / std::log(dissolve);  // not used when levels change at once

@@ -7,6 +7,7 @@
 
 #include "core/render/prepared_tree.h"
 #include "core/render/view_blend.h"
+#include "core/render/view_cone.h"
 
 namespace bosk {
 
@@ -87,7 +88,7 @@ class RangeChooser {
   const PreparedTree* tree_;
   std::vector<Step> steps_;
   double per_log_depth_ = 0.0;  // fineness, while levels dissolve
-  double cone_cosine_, cone_sine_;
+  ViewCone cone_;
   double reach_ = 0.0;           // of a billboard from its cell's middle, relative to the cell
   double largest_cell_m_ = 0.0;  // of the cuts in use
 };

@@ -15,6 +15,7 @@ namespace {
 constexpr double kLeastDetail = 1.0 / 1024.0;
 constexpr std::size_t kBatch = 64;         // instances
 constexpr double kDetailTolerance = 0.03;  // octaves
+constexpr double kBudgetTolerance = 1.1;
 
 glm::dvec3 turned(const glm::dvec3& v, double cosine, double sine) {
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
@@ -86,25 +87,16 @@ void count_billboards(const PreparedTree& tree, std::size_t first, ForestDrawLis
   }
 }
 
-class Cone {
- public:
-  Cone(const Viewpoint& viewpoint, double half_angle)
-      : eye_(viewpoint.eye),
-        forward_(viewpoint.forward),
-        cosine_(std::cos(half_angle)),
-        sine_(std::sin(half_angle)) {}
-
-  bool misses(const glm::dvec3& centre, double radius) const {
-    const glm::dvec3 from_eye = centre - eye_;
-    const double depth = glm::dot(from_eye, forward_);
-    const double across = std::sqrt(std::max(0.0, glm::dot(from_eye, from_eye) - depth * depth));
-    return across * cosine_ - depth * sine_ > radius;
+// The largest detail below `broken` that is good, to kDetailTolerance; the least one where none is.
+template <class IsGood>
+double largest_detail(double broken, const IsGood& is_good) {
+  double low = std::log2(kLeastDetail * broken), high = std::log2(broken);
+  while (high - low > kDetailTolerance) {
+    const double middle = 0.5 * (low + high);
+    (is_good(std::exp2(middle)) ? low : high) = middle;
   }
-
- private:
-  glm::dvec3 eye_, forward_;
-  double cosine_, sine_;
-};
+  return std::exp2(low);
+}
 
 }  // namespace
 
@@ -137,17 +129,18 @@ Forest::Forest(std::vector<std::shared_ptr<const PreparedTree>> trees,
 
 void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
                             ForestDrawList& list) const {
-  const Cone cone(viewpoint, half_angle);
+  const ViewCone cone(half_angle);
   list.keys.clear();
   list.depths.assign(trees_.size() * kDepthBins, 0);
   for (std::uint32_t i = 0; i < stands_.size(); ++i) {
     const Stand& stand = stands_[i];
-    if (cone.misses(stand.centre, stand.reach_m)) continue;
-    const glm::dvec2 away = glm::dvec2(stand.centre) - glm::dvec2(viewpoint.eye);
+    const glm::dvec3 from_eye = stand.centre - viewpoint.eye;
+    if (cone.beyond(from_eye, viewpoint.forward) > stand.reach_m) continue;
+    const glm::dvec2 away(from_eye);
     // Powers are negative within a crown, at least -radius^2: shifted, so that they order as floats
     const double power = glm::dot(away, away) - stand.crown_radius_m * stand.crown_radius_m;
     list.keys.push_back(key_of(power + largest_radius_m_ * largest_radius_m_, i));
-    const double depth = level_depth(stand.centre - viewpoint.eye, viewpoint.forward);
+    const double depth = level_depth(from_eye, viewpoint.forward);
     const double in_tree = std::max(depth, 0.5 * stand.crown_radius_m) / stand.scale;
     ++list.depths[stand.tree * kDepthBins + depth_bin(in_tree)];
   }
@@ -158,8 +151,7 @@ void Forest::list_instances(const Viewpoint& viewpoint, double half_angle,
 
 double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
                                  std::uint64_t budget, const ForestDrawList& list) const {
-  if (budget == 0) return options.detail;
-  const auto billboards = [&](double detail) {
+  const auto fits = [&](double detail) {
     DrawOptions coarser = options;
     coarser.detail = detail;
     double sum = 0.0;
@@ -170,27 +162,21 @@ double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& 
         if (count > 0) sum += count * chooser.billboards_at(depth_of_bin(bin));
       }
     }
-    return sum;
+    return sum <= double(budget);
   };
-  if (billboards(options.detail) <= double(budget)) return options.detail;
-  // Halve the interval in which the detail lies until it is known to 2 %
-  double low = std::log2(kLeastDetail * options.detail), high = std::log2(options.detail);
-  while (high - low > kDetailTolerance) {
-    const double middle = 0.5 * (low + high);
-    (billboards(std::exp2(middle)) <= double(budget) ? low : high) = middle;
-  }
-  return std::exp2(low);
+  return fits(options.detail) ? options.detail : largest_detail(options.detail, fits);
 }
 
-void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, std::uint64_t budget,
-                       ForestDrawList& list) const {
+void Forest::list_ranges(const Viewpoint& viewpoint, const DrawOptions& options, double detail,
+                         ForestDrawList& list) const {
   list.ranges.clear();
   list.by_level.clear();
   list.billboards = 0;
-  list_instances(viewpoint, options.half_angle, list);
+  list.detail = detail;
   DrawOptions afforded = options;
-  afforded.detail = list.detail = affordable_detail(viewpoint, options, budget, list);
+  afforded.detail = detail;
   std::vector<RangeChooser> choosers;
+  choosers.reserve(trees_.size());
   for (const auto& tree : trees_) choosers.emplace_back(*tree, viewpoint.focal_px, afforded);
   // In batches: what far-apart instances need is fetched from memory in a loop of its own, so that
   // the processor waits for many at once
@@ -208,6 +194,21 @@ void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, s
       count_billboards(*trees_[stand.tree], before, list);
     }
   }
+}
+
+void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, std::uint64_t budget,
+                       ForestDrawList& list) const {
+  list_instances(viewpoint, options.half_angle, list);
+  const double detail =
+      budget == 0 ? options.detail : affordable_detail(viewpoint, options, budget, list);
+  const auto keeps_to_budget = [&](double at) {
+    list_ranges(viewpoint, options, at, list);
+    return budget == 0 || double(list.billboards) <= kBudgetTolerance * double(budget);
+  };
+  // Trees were counted whole and at their middle's depth; one of which a part crosses to a much
+  // finer level may go far beyond
+  if (keeps_to_budget(detail)) return;
+  list_ranges(viewpoint, options, largest_detail(detail, keeps_to_budget), list);
 }
 
 }  // namespace bosk

@@ -47,9 +47,9 @@ class Forest {
   // Trees back to front, each exact in itself. Trees are taken as upright cylinders around their
   // crowns and ordered by their power to the eye, horizontal distance^2 - radius^2: that is on
   // which side of the plane between two disjoint cylinders the eye lies (Aurenhammer 1987, "Power
-  // diagrams"), so it is exact where crowns do not meet. `budget` bounds the billboards, about, by
-  // lowering the detail of all trees alike (0: no bound). Takes time linear in the number of
-  // instances; `list` keeps its memory from frame to frame.
+  // diagrams"), so it is exact where crowns do not meet. `budget` bounds the billboards, to a
+  // tenth, by lowering the detail of all trees alike down to a 1024th (0: no bound). Takes time
+  // linear in the number of instances; `list` keeps its memory from frame to frame.
   void draw_list(const Viewpoint& viewpoint, const DrawOptions& options, std::uint64_t budget,
                  ForestDrawList& list) const;
 
@@ -64,6 +64,8 @@ class Forest {
     std::uint32_t tree = 0;
   };
   void list_instances(const Viewpoint& viewpoint, double half_angle, ForestDrawList& list) const;
+  void list_ranges(const Viewpoint& viewpoint, const DrawOptions& options, double detail,
+                   ForestDrawList& list) const;
   double affordable_detail(const Viewpoint& viewpoint, const DrawOptions& options,
                            std::uint64_t budget, const ForestDrawList& list) const;
 

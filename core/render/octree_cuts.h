@@ -10,7 +10,7 @@ namespace bosk {
 // A cell of some level, by the Morton code of its first cell of the finest level.
 struct CutCell {
   std::uint64_t code = 0;
-  std::uint32_t number = 0;  // see PreparedTree::number_of
+  std::uint32_t number = 0;  // see PreparedTree::name_of
   std::uint32_t level = 0;
 };
 using Cut = std::vector<CutCell>;  // ascending codes

@@ -12,7 +12,6 @@ namespace bosk {
 // One billboard: levels[slot].cells[cell].
 struct CellName {
   std::uint32_t slot = 0, cell = 0;
-  bool operator==(const CellName&) const = default;
 };
 
 // A tree made ready for drawing without sorting. For each level there is a cut through the octree:
@@ -30,9 +29,6 @@ class PreparedTree {
 
   // Cells are numbered through all levels, coarse to fine.
   std::uint32_t cell_count() const { return first_cells_.back(); }
-  std::uint32_t number_of(const CellName& name) const {
-    return first_cells_[name.slot] + name.cell;
-  }
   CellName name_of(std::uint32_t number) const;
 
   // Numbers of cells, all cuts and orders one after the other.
@@ -68,8 +64,9 @@ class PreparedTree {
 
   // One cut for each level that has cells and views, coarse to fine.
   int cut_count() const { return int(cut_slots_.size()); }
-  std::uint32_t slot_of_cut(int cut) const { return cut_slots_[std::size_t(cut)]; }
-  const TreeLevel& level_of_cut(int cut) const { return model_->levels[slot_of_cut(cut)]; }
+  const TreeLevel& level_of_cut(int cut) const {
+    return model_->levels[cut_slots_[std::size_t(cut)]];
+  }
   int finest_level() const { return finest_level_; }
 
   // The box of all leaves, tree frame.

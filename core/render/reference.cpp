@@ -189,10 +189,6 @@ DrawOptions draw_options(const RenderOptions& options) {
   return draw;
 }
 
-BlendRule blend_rule(const RenderOptions& options) {
-  return options.blend == "linear" ? BlendRule::linear : BlendRule::fading;
-}
-
 Viewpoint viewpoint_of(const Camera& camera) {
   Viewpoint viewpoint;
   viewpoint.eye = camera.centre_in_world();
@@ -213,7 +209,7 @@ Image<glm::vec4> render_tree_premultiplied(const PreparedTree& tree, const Camer
   const Viewpoint viewpoint = viewpoint_of(camera);
   const std::vector<DrawItem> list =
       draw_items(tree, make_draw_list(tree, viewpoint, draw_options(options)), viewpoint.eye,
-                 blend_rule(options));
+                 blend_rule(options.blend));
   const std::vector<Splat> splats = project_items(model, camera, list, progress);
   const TileBins bins = bin_splats(splats, grid);
   tbb::parallel_for(std::size_t(0), grid.count(), [&](std::size_t index) {

@@ -20,7 +20,6 @@ struct RenderOptions {
 Options describe(RenderOptions& options);
 
 DrawOptions draw_options(const RenderOptions& options);
-BlendRule blend_rule(const RenderOptions& options);
 
 // The camera as a draw list sees it; the focal length is the mean of both axes.
 Viewpoint viewpoint_of(const Camera& camera);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "core/package/tree_model.h"
@@ -24,6 +25,11 @@ enum class BlendRule {
   // third view takes its place (after Buehler et al. 2001, unstructured lumigraph rendering).
   fading,
 };
+
+// "linear" or "fading", as options name them.
+inline BlendRule blend_rule(const std::string& name) {
+  return name == "linear" ? BlendRule::linear : BlendRule::fading;
+}
 
 // Picks the views of one level for any cell and eye.
 class ViewPicker {

@@ -7,9 +7,8 @@
 #include <iostream>
 #include <random>
 
-#include "core/base/error.h"
-#include "core/package/reader.h"
 #include "core/render/forest.h"
+#include "tests/benchmarks/packages.h"
 
 namespace bosk {
 namespace {
@@ -17,8 +16,7 @@ namespace {
 constexpr double kFocalPx = 1100.0;  // 1280 x 720 px, 60 degrees across
 constexpr double kHalfAngle = 0.59;  // of the cone around the picture
 
-std::vector<TreeModel> models;
-std::vector<std::shared_ptr<const PreparedTree>> trees;
+Packages packages;
 
 // `count` trees in a disc; on average `spacing_m` apart.
 Forest forest_of(std::size_t count, double spacing_m) {
@@ -27,12 +25,12 @@ Forest forest_of(std::size_t count, double spacing_m) {
   const double side_m = spacing_m * std::sqrt(double(count));
   std::vector<TreeInstance> instances(count);
   for (TreeInstance& instance : instances) {
-    instance.tree = std::uint32_t(random() % trees.size());
+    instance.tree = std::uint32_t(random() % packages.trees.size());
     instance.place = {side_m * (unit(random) - 0.5), side_m * (unit(random) - 0.5), 0.0};
     instance.turn = 6.28 * unit(random);
     instance.scale = 0.8 + 0.4 * unit(random);
   }
-  return {trees, instances};
+  return {packages.trees, instances};
 }
 
 // Frame `frame` of a walk along a circle of `radius_m`, looking to the middle and past it.
@@ -84,8 +82,8 @@ void trees_all_round(benchmark::State& state) {
 BENCHMARK(trees_all_round)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMillisecond);
 
 void prepare(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(PreparedTree(models.front()));
-  state.counters["cells"] = double(trees.front()->cell_count());
+  for (auto _ : state) benchmark::DoNotOptimize(PreparedTree(packages.models.front()));
+  state.counters["cells"] = double(packages.trees.front()->cell_count());
 }
 BENCHMARK(prepare)->Unit(benchmark::kMillisecond);
 
@@ -97,20 +95,11 @@ int run(int count, char** arguments) {
     std::cerr << "forest_benchmark: name one or more packages (TREE.bosk)\n";
     return 2;
   }
-  models.reserve(std::size_t(count));
-  for (int i = 1; i < count; ++i) models.push_back(load_tree(arguments[i]));
-  for (const TreeModel& model : models) trees.push_back(std::make_shared<PreparedTree>(model));
+  packages = load_packages(count - 1, arguments + 1);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }
 
 }  // namespace bosk
 
-int main(int count, char** arguments) {
-  try {
-    return bosk::run(count, arguments);
-  } catch (const bosk::Error& error) {
-    std::cerr << error.what() << "\n";
-    return 3;
-  }
-}
+int main(int count, char** arguments) { return bosk::run_or_explain(bosk::run, count, arguments); }

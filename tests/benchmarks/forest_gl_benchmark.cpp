@@ -17,13 +17,13 @@
 #include <random>
 #include <string>
 
-#include "core/base/error.h"
-#include "core/package/reader.h"
 #include "core/render/forest.h"
 #include "core/render/gl/forest_renderer.h"
 #include "core/render/gl/headless_context.h"
 #include "core/render/gl/offscreen_target.h"
 #include "core/render/reference.h"
+#include "tests/benchmarks/packages.h"
+#include "tests/render/toy_trees.h"
 
 namespace bosk {
 namespace {
@@ -35,16 +35,7 @@ constexpr int kLarger = 4;
 constexpr glm::vec3 kSky{0.75f, 0.82f, 0.92f};
 
 Camera camera_at(const glm::dvec3& eye, const glm::dvec3& target) {
-  Camera camera;
-  camera.lens.width_px = kWidth_px;
-  camera.lens.height_px = kHeight_px;
-  camera.lens.focal_px = glm::dvec2(kFocalPx);
-  camera.lens.principal_px = {0.5 * kWidth_px - 0.5, 0.5 * kHeight_px - 0.5};
-  const glm::dvec3 z = glm::normalize(target - eye);
-  const glm::dvec3 x = glm::normalize(glm::cross(z, glm::dvec3(0, 0, 1)));
-  camera.camera_from_world.rotation = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
-  camera.camera_from_world.translation = -(camera.camera_from_world.rotation * eye);
-  return camera;
+  return toy::look_at(eye, target, kFocalPx, kWidth_px, kHeight_px);
 }
 
 struct Frame {
@@ -246,26 +237,15 @@ int run(int count, char** arguments) {
     std::cerr << "usage: forest_gl_benchmark walk FRAMES TREE.bosk... | dolly STEPS TREE.bosk\n";
     return 2;
   }
-  std::vector<TreeModel> models;
-  for (int i = 3; i < count; ++i) models.push_back(load_tree(arguments[i]));
-  std::vector<std::shared_ptr<const PreparedTree>> trees;
-  trees.reserve(models.size());
-  for (const TreeModel& model : models) trees.push_back(std::make_shared<PreparedTree>(model));
+  const Packages packages = load_packages(count - 3, arguments + 3);
   const HeadlessContext context;
   std::printf("%s\n\n", context.description().c_str());
   const int number = std::max(1, std::atoi(arguments[2]));
-  what == "walk" ? print_walk(number, trees) : print_dolly(number, trees);
+  what == "walk" ? print_walk(number, packages.trees) : print_dolly(number, packages.trees);
   return 0;
 }
 
 }  // namespace
 }  // namespace bosk
 
-int main(int count, char** arguments) {
-  try {
-    return bosk::run(count, arguments);
-  } catch (const bosk::Error& error) {
-    std::cerr << error.what() << "\n";
-    return 3;
-  }
-}
+int main(int count, char** arguments) { return bosk::run_or_explain(bosk::run, count, arguments); }

@@ -11,10 +11,9 @@
 #include <iostream>
 #include <string>
 
-#include "core/base/error.h"
-#include "core/package/reader.h"
 #include "core/render/draw_list.h"
 #include "core/render/level_switch.h"
+#include "tests/benchmarks/packages.h"
 
 namespace bosk {
 namespace {
@@ -130,6 +129,10 @@ void print_switches(const Tree& tree) {
 }
 
 int print_tables(int count, char** arguments) {
+  if (count < 2) {
+    std::cerr << "tree_tables_benchmark: name one or more packages (TREE.bosk)\n";
+    return 2;
+  }
   std::vector<Tree> trees;
   for (int i = 1; i < count; ++i) {
     const std::filesystem::path path = arguments[i];
@@ -146,14 +149,5 @@ int print_tables(int count, char** arguments) {
 }  // namespace bosk
 
 int main(int count, char** arguments) {
-  if (count < 2) {
-    std::cerr << "tree_tables_benchmark: name one or more packages (TREE.bosk)\n";
-    return 2;
-  }
-  try {
-    return bosk::print_tables(count, arguments);
-  } catch (const bosk::Error& error) {
-    std::cerr << error.what() << "\n";
-    return 3;
-  }
+  return bosk::run_or_explain(bosk::print_tables, count, arguments);
 }

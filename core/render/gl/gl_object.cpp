@@ -83,6 +83,14 @@ void StreamBuffer::reserve(std::size_t bytes) {
   glNamedBufferData(object_.name(), GLsizeiptr(bytes_), nullptr, GL_DYNAMIC_DRAW);
 }
 
+std::string driver_description() {
+  const auto text = [](GLenum name) {
+    const GLubyte* value = glGetString(name);
+    return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
 void require_gl_context() {
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   if (!version) throw Error("no OpenGL context is current" + kRemedy);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,9 @@ class StreamBuffer {
   GlObject object_;
   std::size_t bytes_ = 0;
 };
+
+// Renderer and version of the current context, in the driver's words.
+std::string driver_description();
 
 // Throws Error unless a context is current that has at least OpenGL 4.5 and wasn't lost.
 void require_gl_context();

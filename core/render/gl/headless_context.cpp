@@ -83,12 +83,6 @@ HeadlessContext::~HeadlessContext() {
   eglDestroyContext(display_, context_);
 }
 
-std::string HeadlessContext::description() const {
-  const auto text = [](GLenum name) {
-    const GLubyte* value = glGetString(name);
-    return value ? std::string(reinterpret_cast<const char*>(value)) : std::string();
-  };
-  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
-}
+std::string HeadlessContext::description() const { return driver_description(); }
 
 }  // namespace bosk

@@ -48,19 +48,13 @@ GLenum stage_of(const std::string& file) {
   return GL_COMPUTE_SHADER;
 }
 
-std::string shader_log(GLuint shader) {
+// The log of a shader or program, by its pair of functions.
+template <class GetNumber, class GetLog>
+std::string log_of(GLuint name, GetNumber get_number, GetLog get_log) {
   GLint length = 0;
-  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  get_number(name, GL_INFO_LOG_LENGTH, &length);
   std::string log(std::size_t(length) + 1, '\0');
-  glGetShaderInfoLog(shader, length + 1, nullptr, log.data());
-  return log.c_str();
-}
-
-std::string program_log(GLuint program) {
-  GLint length = 0;
-  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  std::string log(std::size_t(length) + 1, '\0');
-  glGetProgramInfoLog(program, length + 1, nullptr, log.data());
+  get_log(name, length + 1, nullptr, log.data());
   return log.c_str();
 }
 
@@ -91,7 +85,7 @@ void attach(GLuint program, const std::string& file, const std::string& defines)
   std::string names;
   for (std::size_t i = 0; i < source.files.size(); ++i)
     names += (i ? ", " : "") + std::to_string(i) + " = " + source.files[i];
-  throw refused(file + " (" + names + ")", shader_log(shader));
+  throw refused(file + " (" + names + ")", log_of(shader, glGetShaderiv, glGetShaderInfoLog));
 }
 
 }  // namespace
@@ -106,7 +100,7 @@ GlObject make_program(std::initializer_list<const char*> files, const std::strin
   glLinkProgram(program.name());
   GLint done = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &done);
-  if (!done) throw refused(names, program_log(program.name()));
+  if (!done) throw refused(names, log_of(program.name(), glGetProgramiv, glGetProgramInfoLog));
   return program;
 }
 

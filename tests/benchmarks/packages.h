@@ -1,0 +1,40 @@
+#pragma once
+
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/package/reader.h"
+#include "core/render/prepared_tree.h"
+
+namespace bosk {
+
+// Packages named on the command line, ready for drawing.
+struct Packages {
+  std::vector<TreeModel> models;
+  std::vector<std::shared_ptr<const PreparedTree>>
+      trees;  // of the models, which stay where they are
+};
+
+inline Packages load_packages(int count, char** paths) {
+  Packages packages;
+  packages.models.reserve(std::size_t(count));
+  packages.trees.reserve(std::size_t(count));
+  for (int i = 0; i < count; ++i) packages.models.push_back(load_tree(paths[i]));
+  for (const TreeModel& model : packages.models)
+    packages.trees.push_back(std::make_shared<PreparedTree>(model));
+  return packages;
+}
+
+// The exit status of `run`; 3 and the reason where it throws Error.
+inline int run_or_explain(int (*run)(int, char**), int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const Error& error) {
+    std::cerr << error.what() << "\n";
+    return 3;
+  }
+}
+
+}  // namespace bosk
