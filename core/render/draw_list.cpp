@@ -6,10 +6,10 @@
 namespace bosk {
 namespace {
 
-constexpr double kEvenFineness = 1.0 / 16.0;   // differences of it within a node that don't show
+constexpr double kEvenFineness = 1.0 / 8.0;    // differences of it within a node that don't show
 constexpr int kLevelsOfNode = 4;               // nodes of 2^4 cells a side are not divided
 constexpr int kLevelsOfEven = 5;               // nor those of 2^5 only since their levels differ
-constexpr std::uint32_t kCheapTwice = 512;     // cells that are sooner looked at twice than divided
+constexpr std::uint32_t kCheapTwice = 1024;    // cells that are sooner looked at twice than divided
 constexpr std::uint32_t kCheapOutside = 2048;  // cells partly outside the cone that are not divided
 
 double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
@@ -149,7 +149,8 @@ class RangeWalk {
 };
 
 double level_depth(const glm::dvec3& from_eye, const glm::dvec3& forward) {
-  return std::max(glm::dot(from_eye, forward), 0.5 * glm::length(from_eye));
+  const double depth = glm::dot(from_eye, forward), squared = glm::dot(from_eye, from_eye);
+  return depth > 0.0 && 4.0 * depth * depth >= squared ? depth : 0.5 * std::sqrt(squared);
 }
 
 RangeChooser::RangeChooser(const PreparedTree& tree, double focal_px, const DrawOptions& options)

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <string>
 
 #include "core/base/error.h"
@@ -87,17 +87,6 @@ void count_billboards(const PreparedTree& tree, std::size_t first, ForestDrawLis
   }
 }
 
-// The largest detail below `broken` that is good, to kDetailTolerance; the least one where none is.
-template <class IsGood>
-double largest_detail(double broken, const IsGood& is_good) {
-  double low = std::log2(kLeastDetail * broken), high = std::log2(broken);
-  while (high - low > kDetailTolerance) {
-    const double middle = 0.5 * (low + high);
-    (is_good(std::exp2(middle)) ? low : high) = middle;
-  }
-  return std::exp2(low);
-}
-
 }  // namespace
 
 glm::dvec3 tree_from_world(const TreeInstance& instance, const glm::dvec3& point_in_world) {
@@ -164,7 +153,13 @@ double Forest::affordable_detail(const Viewpoint& viewpoint, const DrawOptions& 
     }
     return sum <= double(budget);
   };
-  return fits(options.detail) ? options.detail : largest_detail(options.detail, fits);
+  if (fits(options.detail)) return options.detail;
+  double low = std::log2(kLeastDetail * options.detail), high = std::log2(options.detail);
+  while (high - low > kDetailTolerance) {
+    const double middle = 0.5 * (low + high);
+    (fits(std::exp2(middle)) ? low : high) = middle;
+  }
+  return std::exp2(low);
 }
 
 void Forest::list_ranges(const Viewpoint& viewpoint, const DrawOptions& options, double detail,
@@ -206,9 +201,11 @@ void Forest::draw_list(const Viewpoint& viewpoint, const DrawOptions& options, s
     return budget == 0 || double(list.billboards) <= kBudgetTolerance * double(budget);
   };
   // Trees were counted whole and at their middle's depth; one of which a part crosses to a much
-  // finer level may go far beyond
+  // finer level may go far beyond. Then halve the detail until the list fits, and try once between
   if (keeps_to_budget(detail)) return;
-  list_ranges(viewpoint, options, largest_detail(detail, keeps_to_budget), list);
+  double kept = 0.5 * detail;
+  while (!keeps_to_budget(kept) && kept > kLeastDetail * options.detail) kept *= 0.5;
+  if (!keeps_to_budget(std::numbers::sqrt2 * kept)) list_ranges(viewpoint, options, kept, list);
 }
 
 }  // namespace bosk
