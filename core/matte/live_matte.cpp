@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/image/area_mean.h"
+#include "core/matte/hull.h"
 #include "core/matte/photo_matte.h"
+#include "core/matte/surroundings.h"
 #include "core/photo/import.h"
 
 namespace bosk {
@@ -50,6 +52,21 @@ LivePhoto ready_for_live(const Photo& photo, Progress& progress, double megapixe
   live.lab = lab_planes(photo.srgb, glm::vec3(1.0f), 1, progress);
   live.small_linear = linear_light(live.small.srgb, progress);
   return live;
+}
+
+std::vector<Image<float>> hull_tilts_from(const Photos& photos, const Mattes& mattes,
+                                          const MatteOptions& options, Progress& progress) {
+  std::vector<Image<float>> outlines;
+  for (const Matte& matte : mattes) {
+    progress.check();
+    Image<float> alpha(matte.rgba.width(), matte.rgba.height());
+    std::transform(matte.rgba.pixels().begin(), matte.rgba.pixels().end(), alpha.pixels().begin(),
+                   [](const glm::vec4& pixel) { return pixel.a; });
+    outlines.push_back(mean_alpha(alpha, {}, kOutlineSigma));
+  }
+  auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
+  tilts.resize(photos.size(), Image<float>(1, 1));
+  return tilts;
 }
 
 LiveMatte live_matte(const LivePhoto& photo, const Image<std::uint8_t>& strokes,

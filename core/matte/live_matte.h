@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/matte/matte.h"
 #include "core/matte/stroke_model.h"
@@ -28,9 +29,14 @@ struct LiveMatte {
   std::string what_is_missing;
 };
 
+// What the other photos say of each photo (hull.h), from mattes of all that are at hand: for
+// live_matte. One grid per photo, a single zero each where the photos say nothing. About 0.3 s.
+std::vector<Image<float>> hull_tilts_from(const Photos& photos, const Mattes& mattes,
+                                          const MatteOptions& options, Progress& progress);
+
 // What matte_photos would make of this photo alone, at a reduced size and from fewer samples: made
 // to be computed again after each stroke. `strokes` has the full photo's size or is empty.
-// `hull_tilt` is what the other photos say (hull.h); a single zero when they say nothing.
+// `hull_tilt` is the photo's of hull_tilts_from.
 LiveMatte live_matte(const LivePhoto& photo, const Image<std::uint8_t>& strokes,
                      const Image<float>& hull_tilt, const MatteOptions& options,
                      Progress& progress);

@@ -8,8 +8,7 @@
 namespace bosk {
 namespace {
 
-constexpr int kRounds = 4;               // region and alpha settle each other
-constexpr float kOutlineSigma = 0.012f;  // image diagonals
+constexpr int kRounds = 4;  // region and alpha settle each other
 constexpr float kSamplePurity =
     4.0f;  // while the region settles, haze does more harm than hard edges
 constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less of places
@@ -123,7 +122,7 @@ Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
                   const std::vector<Teacher>& teachers, const MatteOptions& options,
                   Progress& progress, double sample) {
   Study study;
-  study.step = step_for(photo.srgb, sample);
+  study.step = step_for(photo.srgb.size(), sample);
   study.lesson = choose_teacher(photo, teachers, options, progress);
   study.strokes = every_nth(strokes, study.step);
   study.model = study.lesson.teacher->model;
