@@ -84,6 +84,12 @@ std::vector<double> strange_shares(const std::vector<ColourShares>& shares) {
   return strange;
 }
 
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 // How large the tree is in each photo, whatever its distance and lens, against the median: 1 for
 // all where the cameras don't tell.
 std::vector<double> relative_sizes(const Photos& photos, const std::vector<ColourShares>& shares) {
@@ -97,27 +103,36 @@ std::vector<double> relative_sizes(const Photos& photos, const std::vector<Colou
                photos[i].camera.lens.height_px * distance * distance /
                (camera.lens.focal_px.x * camera.lens.focal_px.y);
   }
-  std::vector<double> sorted = sizes;
-  std::sort(sorted.begin(), sorted.end());
-  const double median = std::max(sorted[sorted.size() / 2], 1e-12);
+  const double median = std::max(median_of(sizes), 1e-12);
   for (double& size : sizes) size = std::max(size / median, 1e-3);
   return sizes;
 }
 
 std::string percent(double share) { return std::to_string(int(std::lround(100.0 * share))) + " %"; }
 
-MatteDoubt weighed(const std::string& photo, double strange, double cover, double size) {
-  const double excess = cover * std::max(0.0, std::log(size));
-  const double missing = kMissing * cover * std::max(0.0, std::log(kSmaller / size));
-  MatteDoubt doubt{photo, strange + excess + missing, {}};
-  const double most = std::max({strange, excess, missing});
+// What was found out about one matte.
+struct Findings {
+  double cover = 0.0;    // mean alpha
+  double strange = 0.0;  // share of the photo (strange_share)
+  double usual = 0.0;    // the same in most photos, had they this cover
+  double size = 1.0;     // of the tree, against most photos
+};
+
+MatteDoubt weighed(const std::string& photo, const Findings& found) {
+  const double excess = found.cover * std::max(0.0, std::log(found.size));
+  const double missing = kMissing * found.cover * std::max(0.0, std::log(kSmaller / found.size));
+  const double unusual = found.strange - found.usual;
+  MatteDoubt doubt{photo, found.strange + excess + missing, {}};
+  const double most = std::max({unusual, excess, missing});
   if (most < kWorthAWord) return doubt;
   if (most == missing) {
-    doubt.reason = "the tree is " + percent(1.0 - size) + " smaller than in most photos";
+    doubt.reason = "the tree is " + percent(1.0 - found.size) + " smaller than in most photos";
   } else if (most == excess) {
-    doubt.reason = "the tree is " + percent(size - 1.0) + " larger than in most photos";
+    doubt.reason = "the tree is " + percent(found.size - 1.0) + " larger than in most photos";
   } else {
-    doubt.reason = percent(strange / cover) + " of it has colours of the background elsewhere";
+    doubt.reason = percent(found.strange / found.cover) +
+                   " of the tree has colours that are background in other photos; " +
+                   percent(found.usual / found.cover) + " is usual";
   }
   return doubt;
 }
@@ -144,10 +159,16 @@ std::vector<MatteDoubt> doubt_mattes(const Photos& photos, const Mattes& mattes,
   }
   if (mattes.size() < kFewest) return doubts;
   const std::vector<double> strange = strange_shares(shares);
+  std::vector<double> of_tree;
+  for (std::size_t i = 0; i < mattes.size(); ++i) {
+    of_tree.push_back(strange[i] / std::max(shares[i].cover, kNothing));
+  }
+  const double usual = median_of(of_tree);
   const std::vector<double> sizes = relative_sizes(photos, shares);
   for (std::size_t i = 0; i < mattes.size(); ++i) {
     if (doubts[i].doubt > 0.0) continue;
-    doubts[i] = weighed(mattes[i].name, strange[i], shares[i].cover, sizes[i]);
+    const double cover = shares[i].cover;
+    doubts[i] = weighed(mattes[i].name, {cover, strange[i], usual * cover, sizes[i]});
   }
   return doubts;
 }

@@ -51,9 +51,45 @@ std::vector<GridPlace> places(int from, int to, int pixels, int cells) {
   return result;
 }
 
-glm::vec4 sample(const Image<glm::vec4>& matte, const GridPlace& x, const GridPlace& y) {
-  return glm::mix(glm::mix(matte(x.first, y.first), matte(x.second, y.first), x.mix),
-                  glm::mix(matte(x.first, y.second), matte(x.second, y.second), x.mix), y.mix);
+// A row of the photo from a matte of another size: first between two of its rows, then along them.
+class StretchedRow {
+ public:
+  StretchedRow(const Image<glm::vec4>& matte, int y, int rows)
+      : between_(std::size_t(matte.width())) {
+    const GridPlace place = grid_place(y, rows, matte.height());
+    const glm::vec4* first = &matte(0, place.first);
+    const glm::vec4* second = &matte(0, place.second);
+    for (std::size_t x = 0; x < between_.size(); ++x) {
+      between_[x] = glm::mix(first[x], second[x], place.mix);
+    }
+  }
+  glm::vec4 at(const GridPlace& place) const {
+    return glm::mix(between_[std::size_t(place.first)], between_[std::size_t(place.second)],
+                    place.mix);
+  }
+
+ private:
+  std::vector<glm::vec4> between_;
+};
+
+// Calls paint(x, the view's colour) for a row.
+template <class Paint>
+void colour_row(MatteView view, const MattedPhoto& parts, int y, int from,
+                const std::vector<GridPlace>& columns, Paint paint) {
+  const glm::vec3* photo = &parts.srgb(from, y);
+  const int count = int(columns.size());
+  if (view == MatteView::photo) {
+    for (int i = 0; i < count; ++i) paint(from + i, photo[i]);
+  } else if (parts.matte.width() == parts.srgb.width() &&
+             parts.matte.height() == parts.srgb.height()) {
+    const glm::vec4* matte = &parts.matte(from, y);
+    for (int i = 0; i < count; ++i) paint(from + i, shown(view, photo[i], matte[i]));
+  } else {
+    const StretchedRow matte(parts.matte, y, parts.srgb.height());
+    for (int i = 0; i < count; ++i) {
+      paint(from + i, shown(view, photo[i], matte.at(columns[std::size_t(i)])));
+    }
+  }
 }
 
 }  // namespace
@@ -75,26 +111,16 @@ Image<glm::u8vec4> picture_of(MatteView view, const MattedPhoto& parts) {
 
 void repaint(MatteView view, const MattedPhoto& parts, const PixelBox& box,
              Image<glm::u8vec4>& picture) {
-  const Image<glm::vec4>& matte = parts.matte;
   const glm::ivec2 size(picture.width(), picture.height());
   const glm::ivec2 from = glm::max(box.from, 0), to = glm::min(box.to, size);
   if (from.x >= to.x || from.y >= to.y) return;
-  if (matte.empty()) view = MatteView::photo;
-  const auto columns =
-      matte.empty() ? std::vector<GridPlace>() : places(from.x, to.x, size.x, matte.width());
-  const bool same_size = matte.width() == size.x && matte.height() == size.y;
+  if (parts.matte.empty()) view = MatteView::photo;
+  const auto columns = places(from.x, to.x, size.x, std::max(1, parts.matte.width()));
   tbb::parallel_for(from.y, to.y, [&](int y) {
-    const GridPlace row = grid_place(y, size.y, std::max(1, matte.height()));
-    for (int x = from.x; x < to.x; ++x) {
-      glm::vec3 colour = parts.srgb(x, y);
-      if (view != MatteView::photo) {
-        colour =
-            shown(view, colour,
-                  same_size ? matte(x, y) : sample(matte, columns[std::size_t(x - from.x)], row));
-      }
-      if (!parts.strokes.empty()) colour = under_stroke(colour, parts.strokes(x, y));
-      picture(x, y) = bytes_of(colour);
-    }
+    colour_row(view, parts, y, from.x, columns, [&](int x, const glm::vec3& colour) {
+      picture(x, y) =
+          bytes_of(parts.strokes.empty() ? colour : under_stroke(colour, parts.strokes(x, y)));
+    });
   });
 }
 

@@ -70,7 +70,7 @@ TEST(DoubtMattes, NameTheBackgroundsColoursWithoutCameras) {
   set_alpha(walk.mattes[2], 115, 140, 1.0f);
   const auto doubts = doubts_of(walk);
   EXPECT_EQ(most_doubted(doubts), "2");
-  EXPECT_THAT(doubts[2].reason, HasSubstr("colours of the background"));
+  EXPECT_THAT(doubts[2].reason, HasSubstr("background in other photos"));
 }
 
 TEST(DoubtMattes, MissAPartOfTheTree) {
