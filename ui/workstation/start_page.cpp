@@ -1,7 +1,7 @@
 #include "ui/workstation/start_page.h"
 
 #include <imgui.h>
-#include <misc/cpp/imgui_stdlib.h>
+#include <imgui_stdlib.h>
 
 #include "core/base/error.h"
 #include "core/project/new_project.h"
