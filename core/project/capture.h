@@ -26,12 +26,13 @@ struct Capture {
   std::vector<Camera> cameras;
   std::vector<SourceFile> mattes;     // one for each photo, or none at all
   std::vector<SourceFile> scribbles;  // for some of the photos
+  Strokes strokes;                    // drawn on some of the photos; they go over `scribbles`
   std::set<std::string> left_out;     // names of photos that no stage after import may see
   std::vector<std::string> remarks;   // one sentence for each file of the project that is not used
 };
 
-// Reads the camera file and the content of every source file. Throws Error when fewer than two
-// photos are left, naming why.
+// Reads the camera file and the content of every source file. Throws Error when the project has no
+// cameras yet, or when fewer than two photos are left, naming why.
 Capture gather_capture(const Project& project);
 // The same with the content of the camera file at hand.
 Capture gather_capture(const Project& project, const std::vector<Camera>& cameras);
