@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* kAbout =
     "Bosk makes a small package that draws like a real tree out of about 24 photographs of it.\n\n"
-    "Without a command it opens the workstation, a window that leads from photographs to package.\n\n"
+    "Without a command it opens the workstation, a window that leads from photographs to "
+    "package.\n\n"
     "  bosk new oak photos/*.jpg --cameras transforms.json --mattes mattes\n"
     "  bosk run oak -o oak.bosk\n"
     "  bosk render oak.bosk --cameras transforms.json -o pictures";

@@ -33,7 +33,8 @@ class WorkstationLoop {
   explicit WorkstationLoop(const WorkstationStart& start)
       : start_(start),
         window_("Bosk", start.size),
-        workspace_(gl_picture_device(), [this] { wake(); }, settings_folder()) {
+        workspace_(
+            gl_picture_device(), [this] { wake(); }, settings_folder()) {
     const double scale = workspace_.settings.scale;
     window_.set_theme(scale > 0.0 ? float(scale) : window_.content_scale());
     if (start.project) open_project(workspace_, *start.project);

@@ -9,8 +9,8 @@ namespace bosk {
 // and turning to a new estimate within a few seconds rather than at once.
 class RemainingTime {
  public:
-  // `fraction` of the job, 0 to 1, is done after `spent_s` seconds; calls in the order of time. None
-  // before a twentieth of the job and 3 seconds have passed.
+  // `fraction` of the job, 0 to 1, is done after `spent_s` seconds; calls in the order of time.
+  // None before a twentieth of the job and 3 seconds have passed.
   std::optional<double> update(double fraction, double spent_s);
 
  private:

@@ -11,8 +11,8 @@ constexpr float kFontPx = 16.0f;
 constexpr float kTooltipEms = 28.0f;  // a tooltip's longest line
 
 // Latin with its extensions, Greek, Cyrillic, punctuation, arrows and the signs of units.
-const ImWchar kGlyphs[] = {0x0020, 0x024f, 0x0370, 0x052f, 0x2010, 0x2044,
-                           0x2190, 0x2193, 0x2200, 0x2265, 0x25a0, 0x25ff, 0};
+const ImWchar kGlyphs[] = {0x0020, 0x024f, 0x0370, 0x052f, 0x2010, 0x2044, 0x2190,
+                           0x2193, 0x2200, 0x2265, 0x25a0, 0x25ff, 0};
 
 void load_font(float scale) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;

@@ -6,8 +6,9 @@ namespace bosk {
 
 struct Workspace;
 
-// Brings Workspace::capture up to date after an edit: where only strokes changed it is the same with
-// those; where files changed they are read and hashed again by a job, and until then there is none.
+// Brings Workspace::capture up to date after an edit: where only strokes changed it is the same
+// with those; where files changed they are read and hashed again by a job, and until then there is
+// none.
 void refresh_capture(Workspace& workspace);
 
 // Reads the project's files again, as after somebody changed them outside.

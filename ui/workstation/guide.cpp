@@ -73,44 +73,44 @@ StepGuide matte_guide(const Workspace& workspace) {
 
 }  // namespace
 
-std::string stage_of(Step step) {
+std::string stage_of(WorkStep step) {
   switch (step) {
-    case Step::photos:
-    case Step::calibrate:
+    case WorkStep::photos:
+    case WorkStep::calibrate:
       break;
-    case Step::matte:
+    case WorkStep::matte:
       return "matte";
-    case Step::volume:
+    case WorkStep::volume:
       return "radiance";
-    case Step::textures:
+    case WorkStep::textures:
       return "texture";
-    case Step::codebook:
+    case WorkStep::codebook:
       return "compress";
-    case Step::preview:
-    case Step::export_tree:
+    case WorkStep::preview:
+    case WorkStep::export_tree:
       return "pack";
   }
   return {};
 }
 
-StepGuide guide_of(const Workspace& workspace, Step step) {
+StepGuide guide_of(const Workspace& workspace, WorkStep step) {
   if (!workspace.session) return {Tone::muted, "waits", "a project", "", "open or make a project"};
   switch (step) {
-    case Step::photos:
+    case WorkStep::photos:
       return photos_guide(workspace);
-    case Step::calibrate:
+    case WorkStep::calibrate:
       return calibrate_guide(workspace);
-    case Step::matte:
+    case WorkStep::matte:
       return matte_guide(workspace);
-    case Step::volume:
+    case WorkStep::volume:
       return stage_guide(workspace, "radiance", "make the volume");
-    case Step::textures:
+    case WorkStep::textures:
       return stage_guide(workspace, "texture", "bake the textures");
-    case Step::codebook:
+    case WorkStep::codebook:
       return stage_guide(workspace, "compress", "train the codebooks");
-    case Step::preview:
+    case WorkStep::preview:
       return stage_guide(workspace, "pack", "make the package");
-    case Step::export_tree:
+    case WorkStep::export_tree:
       return stage_guide(workspace, "pack", "make the package");
   }
   return {};

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ui/widgets/theme.h"
-#include "ui/workstation/step.h"
+#include "ui/workstation/work_step.h"
 
 namespace bosk {
 
@@ -19,9 +19,9 @@ struct StepGuide {
 };
 
 // A function of the workspace alone.
-StepGuide guide_of(const Workspace& workspace, Step step);
+StepGuide guide_of(const Workspace& workspace, WorkStep step);
 
 // The last stage that the step is for; empty: it has none of its own.
-std::string stage_of(Step step);
+std::string stage_of(WorkStep step);
 
 }  // namespace bosk

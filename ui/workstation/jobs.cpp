@@ -85,9 +85,9 @@ int Jobs::enqueue(const std::string& title, Lane lane, const std::string& key, W
 
 void Jobs::serve(Queue& queue, Lane lane, const std::stop_token& stop) {
   if (lane == Lane::background) yield_to_interface();
-  tbb::task_arena arena(tbb::task_arena::automatic, 1,
-                        lane == Lane::interactive ? tbb::task_arena::priority::high
-                                                  : tbb::task_arena::priority::low);
+  tbb::task_arena arena(
+      tbb::task_arena::automatic, 1,
+      lane == Lane::interactive ? tbb::task_arena::priority::high : tbb::task_arena::priority::low);
   const WorkersYield workers_yield(arena);
   while (true) {
     std::unique_lock lock(mutex_);
@@ -176,8 +176,8 @@ std::vector<JobView> Jobs::now() const {
     view.running = running;
     view.stopping = job.progress->cancelled();
     const std::lock_guard lock(job.report_mutex);
-    view.phrase = job.report.part.empty() ? job.report.phrase
-                                          : job.report.part + ": " + job.report.phrase;
+    view.phrase =
+        job.report.part.empty() ? job.report.phrase : job.report.part + ": " + job.report.phrase;
     view.fraction = job.report.fraction;
     if (job.started) view.spent_s = seconds_since(job.start);
     view.left_s = job.left_s;

@@ -53,7 +53,7 @@ void hear_shortcuts(Workspace& workspace) {
   if (!io.KeyCtrl || io.KeyAlt) return;
   // A text field has an undo of its own
   if (workspace.session && !io.WantTextInput) hear_history(workspace, io.KeyShift);
-  for (const Step step : kSteps) {
+  for (const WorkStep step : kSteps) {
     if (workspace.input.pressed('1' + int(step))) workspace.step = step;
   }
   if (workspace.input.pressed(kKeyEqual)) change_scale(workspace, kScaleStep);

@@ -4,7 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include "core/base/error.h"
-#include "core/project/new_project.h"
+#include "core/base/system_error.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/workspace.h"
@@ -13,6 +13,17 @@ namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
+
+// A folder with a project that has nothing in it yet.
+void make_empty_project(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw system_error(folder, "created", failure.value());
+  Project project;
+  project.folder = folder;
+  project.recipe.pack.name = project.name();
+  save_project(project);
+}
 
 void try_to_open(Workspace& workspace, const fs::path& folder) {
   try {
@@ -37,13 +48,15 @@ void draw_choice(Workspace& workspace) {
   StartPageState& state = workspace.start_page;
   paragraph("A project is a folder. Type or paste its path, or drop it on this window:");
   ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputText("##folder", &state.folder,
-                                        ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputText("##folder", &state.folder, ImGuiInputTextFlags_EnterReturnsTrue);
   mark("start/folder");
   const bool exists = !state.folder.empty() && holds_project(state.folder);
   const std::string missing = state.folder.empty() ? "type a folder first" : "";
   const bool open = button("start/open", "Open", "open the project in this folder",
-                           exists ? "" : missing.empty() ? "no project is there yet" : missing);
+                           exists            ? ""
+                           : missing.empty() ? "no project is there yet"
+                                             : missing);
   ImGui::SameLine();
   const bool make = button("start/make", "Make a new project",
                            "makes the folder where it is missing; photographs stay where they are",
@@ -77,8 +90,9 @@ void draw_recent(Workspace& workspace) {
 void draw_start_page(Workspace& workspace) {
   for (const fs::path& path : workspace.input.dropped) workspace.start_page.folder = path.string();
   ImGui::TextUnformatted("Bosk");
-  paragraph(Tone::muted,
-            "About 24 photographs of a tree become a small package that draws like that very tree.");
+  paragraph(
+      Tone::muted,
+      "About 24 photographs of a tree become a small package that draws like that very tree.");
   ImGui::Separator();
   draw_choice(workspace);
   draw_recent(workspace);

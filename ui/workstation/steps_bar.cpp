@@ -9,7 +9,7 @@
 namespace bosk {
 namespace {
 
-void draw_step_entry(Workspace& workspace, Step step) {
+void draw_step_entry(Workspace& workspace, WorkStep step) {
   const StepText& text = text_of(step);
   const StepGuide guide = guide_of(workspace, step);
   const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -48,7 +48,7 @@ void draw_steps_bar(Workspace& workspace) {
   ImGui::TextUnformatted(workspace.project().name().c_str());
   tooltip(workspace.project().absolute({}).string());
   ImGui::Separator();
-  for (const Step step : kSteps) draw_step_entry(workspace, step);
+  for (const WorkStep step : kSteps) draw_step_entry(workspace, step);
   ImGui::Separator();
   if (workspace.session) draw_history(workspace);
   ImGui::Separator();

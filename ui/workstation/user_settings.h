@@ -8,8 +8,8 @@ namespace bosk {
 
 // What belongs to a person rather than to a project; kept in FOLDER/settings.json.
 struct UserSettings {
-  double scale = 0.0;                          // of the interface, 1 to 3; 0: the screen's own
-  std::vector<std::filesystem::path> recent;   // project folders, absolute, newest first
+  double scale = 0.0;                         // of the interface, 1 to 3; 0: the screen's own
+  std::vector<std::filesystem::path> recent;  // project folders, absolute, newest first
 };
 inline constexpr std::size_t kMostRecent = 12;
 

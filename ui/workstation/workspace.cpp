@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/project/cache.h"
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/stage_run.h"
 
@@ -12,7 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a person looks at: these results stay in memory once made.
-std::vector<std::string> shown_stages_up_to(const std::string& stage) { return stages_up_to(stage); }
+std::vector<std::string> shown_stages_up_to(const std::string& stage) {
+  return stages_up_to(stage);
+}
 
 // Takes over what `from` holds.
 void merge(Results& into, const Results& from) {
@@ -55,15 +58,13 @@ void install(Workspace& workspace, Made made) {
 void start_run(Workspace& workspace, const std::string& title, const std::string& stage,
                const std::vector<std::string>& wanted) {
   auto project = std::make_shared<const Project>(workspace.project());
-  RunOptions options;
-  options.known = current_results(workspace);
-  options.watchers = watchers_of(workspace);
   workspace.running_stage = stage;
   workspace.running_job = workspace.jobs.start(
       title,
-      [project, capture = workspace.capture, wanted, options](Progress& progress) {
+      [project, capture = workspace.capture, wanted, watchers = watchers_of(workspace),
+       known = current_results(workspace)](Progress& progress) {
         Made made;
-        made.run = run_stages(*project, *capture, wanted, progress, options);
+        made.run = run_stages(*project, *capture, wanted, progress, {}, watchers, known);
         made.keys = stage_keys(*capture, made.run.recipe);
         return made;
       },
@@ -108,7 +109,7 @@ void open_project(Workspace& workspace, const fs::path& folder) {
   workspace.session = std::move(session);
   remember(workspace.settings, folder);
   save_settings(workspace.settings, workspace.settings_place);
-  workspace.step = Step::photos;
+  workspace.step = WorkStep::photos;
   refresh(workspace);
 }
 

@@ -21,10 +21,10 @@
 #include "ui/workstation/photos_step.h"
 #include "ui/workstation/preview_step.h"
 #include "ui/workstation/start_page.h"
-#include "ui/workstation/step.h"
 #include "ui/workstation/textures_step.h"
 #include "ui/workstation/user_settings.h"
 #include "ui/workstation/volume_step.h"
+#include "ui/workstation/work_step.h"
 
 namespace bosk {
 
@@ -59,8 +59,7 @@ enum class StageState {
 struct Workspace {
   // `device` makes textures, `wake` asks for a frame from any thread, settings are kept in
   // `settings_place` (empty: nowhere).
-  Workspace(PictureDevice device, std::function<void()> wake,
-            std::filesystem::path settings_place);
+  Workspace(PictureDevice device, std::function<void()> wake, std::filesystem::path settings_place);
   ~Workspace();
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
@@ -72,7 +71,7 @@ struct Workspace {
   UserSettings settings;
   std::filesystem::path settings_place;
   WindowInput input;
-  Step step = Step::photos;
+  WorkStep step = WorkStep::photos;
   OptionInHand option_in_hand;
   bool shortcuts_shown = false, close_wanted = false;
   std::optional<float> scale_wanted;  // the window applies it before the next frame
@@ -81,11 +80,11 @@ struct Workspace {
   // What stages start from, as the project's files were read last; null with the reason beside it.
   std::shared_ptr<const Capture> capture;
   std::string capture_obstacle;
-  Results results;                           // the newest that is loaded or was made
-  std::map<std::string, ContentHash> made;   // the key of each stage's result in `results`
+  Results results;                            // the newest that is loaded or was made
+  std::map<std::string, ContentHash> made;    // the key of each stage's result in `results`
   std::map<std::string, ContentHash> wanted;  // the keys that the project asks for now
-  std::map<std::string, bool> stored;        // whether the cache holds the wanted result
-  std::string running_stage;                 // that the running job was asked for
+  std::map<std::string, bool> stored;         // whether the cache holds the wanted result
+  std::string running_stage;                  // that the running job was asked for
   int running_job = 0;
 
   StartPageState start_page;
@@ -98,8 +97,9 @@ struct Workspace {
   PreviewStepState preview;
   ExportStepState export_tree;
 
-  std::uint64_t seen_revision = 0, seen_files = 0;  // of the session, when keys and capture were made
-  Jobs jobs;  // last: its workers must end before what they wake goes
+  std::uint64_t seen_revision = 0,
+                seen_files = 0;  // of the session, when keys and capture were made
+  Jobs jobs;                     // last: its workers must end before what they wake goes
 };
 
 // Opens a project in place of the present one, which is saved. Throws Error as Session does; the

@@ -30,21 +30,21 @@ void draw_header(const Workspace& workspace) {
 
 void draw_step(Workspace& workspace) {
   switch (workspace.step) {
-    case Step::photos:
+    case WorkStep::photos:
       return draw_photos_step(workspace);
-    case Step::calibrate:
+    case WorkStep::calibrate:
       return draw_calibrate_step(workspace);
-    case Step::matte:
+    case WorkStep::matte:
       return draw_matte_step(workspace);
-    case Step::volume:
+    case WorkStep::volume:
       return draw_volume_step(workspace);
-    case Step::textures:
+    case WorkStep::textures:
       return draw_textures_step(workspace);
-    case Step::codebook:
+    case WorkStep::codebook:
       return draw_codebook_step(workspace);
-    case Step::preview:
+    case WorkStep::preview:
       return draw_preview_step(workspace);
-    case Step::export_tree:
+    case WorkStep::export_tree:
       return draw_export_step(workspace);
   }
 }

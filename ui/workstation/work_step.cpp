@@ -1,8 +1,8 @@
-#include "ui/workstation/step.h"
+#include "ui/workstation/work_step.h"
 
 namespace bosk {
 
-const StepText& text_of(Step step) {
+const StepText& text_of(WorkStep step) {
   static constexpr StepText kTexts[] = {
       {"Photos", "photos", "The photographs, and whether each can be used."},
       {"Calibrate", "calibrate", "Where each photograph was taken from, and with what lens."},
