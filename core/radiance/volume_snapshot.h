@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/geometry/box.h"
 #include "core/opacity/opacity.h"
 #include "core/radiance/radiance.h"
 
@@ -30,13 +31,14 @@ struct VolumeSnapshot {
   std::vector<std::int32_t> brick_at;  // x fastest, shifted by one brick; kNone where empty
   std::vector<Brick> bricks;
   std::size_t cells = 0;  // that hold something
+  Box bounds;             // of the cells, world; the cube where there are none
 
   int side() const { return 1 << level; }
-  int bricks_across() const { return side() / kBrick + 1; }
+  int bricks_across() const { return (side() + kBrick - 1) / kBrick + 1; }
 };
 
 // `finest_level`: cells finer than that are merged into their ancestors, which keep the light that
-// crosses them, to first order; at least 3. Level 7 takes a fraction of the time and memory.
+// crosses them, to first order. Level 7 takes a fraction of the time and memory.
 VolumeSnapshot snapshot_of(const OpacityTree& tree, int finest_level = 9);
 VolumeSnapshot snapshot_of(const RadianceVolume& volume, int finest_level = 9);
 
