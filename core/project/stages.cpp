@@ -57,14 +57,25 @@ void hash_files(ContentHasher& hasher, const std::vector<SourceFile>& files) {
   }
 }
 
-void hash_camera(ContentHasher& hasher, const Camera& camera) {
-  const Lens& lens = camera.lens;
-  hasher.text(camera.name).value(int(lens.model)).value(lens.width_px).value(lens.height_px);
-  for (int i = 0; i < 2; ++i) hasher.value(lens.focal_px[i]).value(lens.principal_px[i]);
-  for (const double coefficient : lens.distortion) hasher.value(coefficient);
-  for (int i = 0; i < 3; ++i) {
-    hasher.value(camera.camera_from_world.translation[i]);
-    for (int k = 0; k < 3; ++k) hasher.value(camera.camera_from_world.rotation[i][k]);
+const char* name_of(StrokeKind kind) {
+  if (kind == StrokeKind::erase) return "erase";
+  return kind == StrokeKind::foreground ? "foreground" : "background";
+}
+
+void hash_strokes(ContentHasher& hasher, const std::vector<Stroke>& strokes) {
+  hasher.value(std::uint64_t(strokes.size()));
+  for (const Stroke& stroke : strokes) {
+    hasher.text(name_of(stroke.kind)).value(stroke.radius_px).array(stroke.points_px);
+  }
+}
+
+// Adds nothing where there are none, so that captures without strokes keep the keys they had.
+void hash_strokes(ContentHasher& hasher, const Capture& capture) {
+  if (!capture.mattes.empty()) return;
+  for (const auto& [name, strokes] : capture.strokes) {
+    if (capture.left_out.count(name) > 0) continue;
+    hasher.text(name);
+    hash_strokes(hasher, strokes);
   }
 }
 
@@ -106,7 +117,7 @@ Stage photo_stage() {
     for (const Camera& camera : capture.cameras) hash_camera(hasher, camera);
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
-                     Progress& progress) {
+                     Progress& progress, const RunWatchers&) {
     std::vector<std::filesystem::path> files;
     for (const SourceFile& photo : capture.photos) files.push_back(photo.path);
     PhotoImport imported = import_photos(files, capture.cameras, recipe.photo, progress);
@@ -120,7 +131,8 @@ Stage photo_stage() {
 Stage view_stage() {
   Stage stage = stage_of("view", "Views", 0.1, {"photo"});
   stage.hash_sources = hash_left_out;
-  stage.compute = [](const Capture& capture, const Recipe&, Results& results, Progress&) {
+  stage.compute = [](const Capture& capture, const Recipe&, Results& results, Progress&,
+                     const RunWatchers&) {
     results.views = shared(kept(results.imported->photos, capture.left_out, false));
   };
   hold<Photos>(stage, &Results::views, write_stored, read_stored_photos);
@@ -131,13 +143,14 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
                    Progress& progress) {
   const DecodeLimits limits = decode_limits(recipe.photo);
   if (!capture.mattes.empty()) return import_mattes(capture.mattes, photos, limits, progress);
-  if (capture.scribbles.empty()) {
+  if (capture.scribbles.empty() && capture.strokes.empty()) {
     throw Error(
         "the project has neither mattes nor strokes; name a folder of either with "
-        "`bosk new --replace`");
+        "`bosk new --replace`, or draw strokes in the Matte step of `bosk open`");
   }
-  return matte_photos(photos, import_scribbles(capture.scribbles, photos, limits, progress),
-                      recipe.matte, progress);
+  const Scribbles scribbles =
+      import_scribbles(capture.scribbles, capture.strokes, photos, limits, progress);
+  return matte_photos(photos, scribbles, recipe.matte, progress);
 }
 
 Stage matte_stage() {
@@ -148,9 +161,10 @@ Stage matte_stage() {
     hash_left_out(hasher, capture);
     hash_files(hasher, kept(capture.mattes, capture.left_out));
     hash_files(hasher, kept(capture.scribbles, capture.left_out));
+    hash_strokes(hasher, capture);
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
-                     Progress& progress) {
+                     Progress& progress, const RunWatchers&) {
     const Photos& all = results.imported->photos;
     const Photos some = capture.left_out.empty() ? Photos() : kept(all, capture.left_out, true);
     const Photos& photos = capture.left_out.empty() ? all : some;
@@ -164,9 +178,10 @@ Stage opacity_stage() {
   Stage stage = stage_of("opacity", "Opacity", 8, {"view", "matte"});
   stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.opacity); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    results.opacity =
-        shared(estimate_opacity(*results.views, *results.mattes, recipe.opacity, progress));
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
+    results.opacity = shared(estimate_opacity(*results.views, *results.mattes, recipe.opacity,
+                                              progress, watchers.opacity));
   };
   hold<OpacityTree>(stage, &Results::opacity, write, read_opacity_tree);
   return stage;
@@ -176,9 +191,10 @@ Stage radiance_stage() {
   Stage stage = stage_of("radiance", "Radiance", 58, {"view", "matte", "opacity"});
   stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.radiance); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
     results.radiance = shared(refine_radiance(*results.views, *results.mattes, *results.opacity,
-                                              recipe.radiance, progress));
+                                              recipe.radiance, progress, watchers.radiance));
   };
   hold<RadianceVolume>(stage, &Results::radiance, write, read_radiance_volume);
   return stage;
@@ -188,7 +204,8 @@ Stage texture_stage() {
   Stage stage = stage_of("texture", "Textures", 6, {"view", "radiance"});
   stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers&) {
     results.billboards = shared(
         bake_billboards(*results.radiance, cameras_of(*results.views), recipe.texture, progress));
   };
@@ -199,8 +216,10 @@ Stage texture_stage() {
 Stage compress_stage() {
   Stage stage = stage_of("compress", "Codebooks", 18, {"texture"});
   stage.options = [](Recipe& recipe) { return describe(recipe.compress); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    results.textures = shared(compress_billboards(*results.billboards, recipe.compress, progress));
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
+    results.textures = shared(
+        compress_billboards(*results.billboards, recipe.compress, progress, watchers.compress));
   };
   hold<CodedTextures>(stage, &Results::textures, write, read_coded_textures);
   return stage;
@@ -220,7 +239,8 @@ Stage pack_stage() {
   Stage stage = stage_of("pack", "Package", 4, {"view", "texture", "compress"});
   stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers&) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());
     TreeModel tree = assemble_tree(*results.billboards, *results.textures, metadata);
     std::optional<ProgressPart> part(std::in_place, progress, 0.0, 0.7);
