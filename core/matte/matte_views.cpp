@@ -112,7 +112,7 @@ Image<glm::u8vec4> picture_of(MatteView view, const MattedPhoto& parts) {
 void repaint(MatteView view, const MattedPhoto& parts, const PixelBox& box,
              Image<glm::u8vec4>& picture) {
   const glm::ivec2 size(picture.width(), picture.height());
-  const glm::ivec2 from = glm::max(box.from, 0), to = glm::min(box.to, size);
+  const auto [from, to] = overlap(box, {{0, 0}, size});
   if (from.x >= to.x || from.y >= to.y) return;
   if (parts.matte.empty()) view = MatteView::photo;
   const auto columns = places(from.x, to.x, size.x, std::max(1, parts.matte.width()));

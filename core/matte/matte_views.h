@@ -5,6 +5,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/image/image.h"
+#include "core/image/pixel_box.h"
 
 namespace bosk {
 
@@ -29,12 +30,6 @@ struct MattedPhoto {
   const Image<glm::vec3>& srgb;        // 0 to 1
   const Image<glm::vec4>& matte;       // straight, sRGB-encoded; may be empty
   const Image<std::uint8_t>& strokes;  // values of scribbles.h; may be empty
-};
-
-// Pixels [from, to) of a picture.
-struct PixelBox {
-  glm::ivec2 from{0}, to{0};
-  bool empty() const { return from.x >= to.x || from.y >= to.y; }
 };
 
 // The colours of strokes on the screen: apart for the colour-blind too, and from leaves and sky.
