@@ -69,4 +69,14 @@ Image<glm::vec3> area_mean_srgb(const Image<glm::vec3>& srgb, int width, int hei
   return mean;
 }
 
+Image<glm::vec4> area_mean_straight(const Image<glm::vec4>& straight, int width, int height) {
+  Image<glm::vec4> mean = averaged(straight, width, height, [](const glm::vec4& value) {
+    return glm::vec4(glm::vec3(value) * value.a, value.a);
+  });
+  for (glm::vec4& value : mean.pixels()) {
+    if (value.a > 0.0f) value = glm::vec4(glm::vec3(value) / value.a, value.a);
+  }
+  return mean;
+}
+
 }  // namespace bosk

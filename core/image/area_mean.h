@@ -15,4 +15,8 @@ Image<glm::vec3> area_mean(const Image<glm::vec3>& linear, int width, int height
 // The same for an sRGB-encoded image: averaged in linear light.
 Image<glm::vec3> area_mean_srgb(const Image<glm::vec3>& srgb, int width, int height);
 
+// The same for sRGB-encoded colour with straight alpha: colours count by their alpha. For the
+// screen: averaged as encoded.
+Image<glm::vec4> area_mean_straight(const Image<glm::vec4>& straight, int width, int height);
+
 }  // namespace bosk

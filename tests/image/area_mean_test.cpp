@@ -41,5 +41,14 @@ TEST(AreaMeanSrgb, AveragesLight) {
   EXPECT_NEAR(area_mean_srgb(image, 1, 1)(0, 0).g, srgb_from_linear(0.5f), kRounding);
 }
 
+TEST(AreaMeanStraight, CountsColoursByTheirAlpha) {
+  Image<glm::vec4> image(2, 1);
+  image(0, 0) = glm::vec4(0.6f, 0.4f, 0.2f, 0.5f);
+  image(1, 0) = glm::vec4(1.0f, 1.0f, 1.0f, 0.0f);
+  const glm::vec4 mean = area_mean_straight(image, 1, 1)(0, 0);
+  EXPECT_NEAR(mean.r, 0.6f, kRounding);
+  EXPECT_NEAR(mean.a, 0.25f, kRounding);
+}
+
 }  // namespace
 }  // namespace bosk

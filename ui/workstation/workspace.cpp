@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/project/cache.h"
 #include "ui/workstation/capture_files.h"
+#include "ui/workstation/matte_paint.h"
 #include "ui/workstation/stage_run.h"
 
 namespace bosk {
@@ -117,6 +118,7 @@ void open_project(Workspace& workspace, const fs::path& folder) {
 
 void close_project(Workspace& workspace) {
   if (!workspace.session) return;
+  keep_stroke_in_hand(workspace);
   workspace.jobs.cancel_all();
   workspace.session->save();
   workspace.session.reset();

@@ -124,11 +124,19 @@ void Hand::move_to(const ImVec2& place) {
 
 void Hand::press(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = true;
+  if (mouse_button == 0) {
+    workspace_->input.pressed_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(ImGui::GetIO().MousePos);
+  }
   frame();
 }
 
 void Hand::release(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = false;
+  if (mouse_button == 0) {
+    workspace_->input.released_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(ImGui::GetIO().MousePos);
+  }
   frame();
 }
 
