@@ -89,6 +89,13 @@ void measure_painting() {
   print("one stroke painted, 1 MP", one);
   print("200 strokes painted at once",
         {milliseconds([&] { paint_strokes(strokes, photo, scribbles); })});
+  std::vector<double> undone;
+  while (strokes.size() > 100) {
+    const Stroke last = strokes.back();
+    strokes.pop_back();
+    undone.push_back(milliseconds([&] { repaint_strokes(strokes, last, photo, {}, scribbles); }));
+  }
+  print("one of 200 taken out", undone);
   while (strokes.size() < kStrokes) strokes.push_back(drawn_stroke(random));
   print("10000 strokes painted at once",
         {milliseconds([&] { paint_strokes(strokes, photo, scribbles); })});
