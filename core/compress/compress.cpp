@@ -81,7 +81,7 @@ Options describe(CompressOptions& options) {
 }
 
 CodedTextures compress_billboards(const Billboards& billboards, const CompressOptions& options,
-                                  Progress& progress) {
+                                  Progress& progress, const CompressWatcher& watcher) {
   for (const BillboardLevel& level : billboards.levels) check_level(level);
   std::vector<LevelColours> colours;
   std::vector<LevelAlphas> alphas;
@@ -94,6 +94,9 @@ CodedTextures compress_billboards(const Billboards& billboards, const CompressOp
     colours.push_back(code_colours(level, options, progress));
     progress.begin("Alpha codewords" + name, code_units(level), middle, share[i + 1]);
     alphas.push_back(code_alphas(level, options, progress));
+    if (watcher) {
+      watcher({level, colours[i], alphas[i], int(i + 1), int(billboards.levels.size())});
+    }
   }
   CodedTextures textures;
   lay_out_atlas(colours, alphas, textures);

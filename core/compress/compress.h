@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -46,10 +47,21 @@ struct CodedTextures {
   std::vector<std::uint8_t> atlas_bc3;
 };
 
+// A level that has just been coded, for whoever watches. Valid during the call only.
+struct LevelColours;  // level_codes.h
+struct LevelAlphas;
+struct CompressPreview {
+  const BillboardLevel& level;
+  const LevelColours& colours;
+  const LevelAlphas& alphas;
+  int levels_done = 0, levels = 0;
+};
+using CompressWatcher = std::function<void(const CompressPreview&)>;
+
 // Vector quantisation of every level's 4x4 blocks, colour and alpha apart (Linz et al. 2006,
 // section 4).
 CodedTextures compress_billboards(const Billboards& billboards, const CompressOptions& options,
-                                  Progress& progress);
+                                  Progress& progress, const CompressWatcher& watcher = {});
 
 void write(BinaryWriter& writer, const CodedTextures& textures);
 CodedTextures read_coded_textures(BinaryReader& reader);

@@ -108,6 +108,41 @@ OpacityTree start_level(const OpacityTree& coarser, const std::vector<Silhouette
   return tree;
 }
 
+// Counts iterations over all levels, tells the watcher, and says whether to go on.
+class Iterations {
+ public:
+  Iterations(const OpacityOptions& options, int levels, const OpacityWatcher& watcher)
+      : stop_after_(options.stop_after), planned_(levels * options.passes), watcher_(watcher) {
+    if (stop_after_ > 0) planned_ = std::min(planned_, stop_after_);
+  }
+
+  bool go_on(const OpacityTree& tree, double mean_error) {
+    ++iteration_;
+    const bool wanted = !watcher_ || watcher_({tree, iteration_, planned_, mean_error});
+    return wanted && iteration_ != stop_after_;
+  }
+
+ private:
+  int stop_after_ = 0, planned_ = 0, iteration_ = 0;
+  const OpacityWatcher& watcher_;
+};
+
+// The passes of one level; whether to go on with the next.
+bool solve_level(const RayCache& cache, const TrilinearSupport& support,
+                 const OpacityOptions& options, OpacityTree& tree, Iterations& iterations,
+                 Progress& progress) {
+  double last_error = 2.0;
+  for (int pass = 0; pass < options.passes; ++pass) {
+    progress.begin("Opacity, level " + std::to_string(tree.level()), cache.tiles(),
+                   double(pass) / options.passes, double(pass + 1) / options.passes);
+    const double error = em_pass(cache, support, options.subsets, tree.extinction, progress);
+    if (!iterations.go_on(tree, error)) return false;
+    if (error > last_error) break;  // more passes would only fit noise
+    last_error = error;
+  }
+  return true;
+}
+
 }  // namespace
 
 Options describe(OpacityOptions& options) {
@@ -149,6 +184,13 @@ Options describe(OpacityOptions& options) {
        1,
        64,
        {}},
+      {"stop_after",
+       "",
+       "ends after so many passes, counted over all levels, and keeps what there is; 0 is never",
+       &options.stop_after,
+       0,
+       1000,
+       {}},
   };
 }
 
@@ -168,8 +210,9 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
   const double crown_px = crown.size_m * px_per_metre;
 
   OpacityTree tree;
-  int iteration = 0;
-  for (int level = std::min(kCoarsestLevel, finest); level <= finest; ++level) {
+  const int coarsest = std::min(kCoarsestLevel, finest);
+  Iterations iterations(options, finest - coarsest + 1, watcher);
+  for (int level = coarsest; level <= finest; ++level) {
     const double end = std::max(kCrownShare, share_up_to(level, finest));
     const double start = std::max(kCrownShare, share_up_to(level - 1, finest));
     part.emplace(progress, start, start + kCastingShare * (end - start));
@@ -178,15 +221,7 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
     const int step = pixel_step(crown_px / double(1 << level));
     const RayCache cache = cache_rays(photos, mattes, step, crown, level, support, progress);
     part.emplace(progress, start + kCastingShare * (end - start), end);
-    double last_error = 2.0;
-    for (int pass = 0; pass < options.passes; ++pass) {
-      progress.begin("Opacity, level " + std::to_string(level), cache.tiles(),
-                     double(pass) / options.passes, double(pass + 1) / options.passes);
-      const double error = em_pass(cache, support, options.subsets, tree.extinction, progress);
-      if (watcher) watcher({tree, ++iteration, error});
-      if (error > last_error) break;  // more passes would only fit noise
-      last_error = error;
-    }
+    if (!solve_level(cache, support, options, tree, iterations, progress)) break;
   }
   return tree;
 }

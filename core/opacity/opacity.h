@@ -19,6 +19,7 @@ struct OpacityOptions {
   double max_cells = 0;  // thousand in the hull, about: cells grow past cell_px to keep it; 0: any
   int passes = 1;        // of the solver over all rays at the finest level
   int subsets = 8;       // interleaved pixels per pass
+  int stop_after = 0;    // iterations, counted over all levels; 0: never
 };
 Options describe(OpacityOptions& options);
 
@@ -40,9 +41,12 @@ struct OpacityTree {
 struct OpacityPreview {
   const OpacityTree& tree;
   int iteration = 0;        // from 1, over all levels
+  int planned = 0;          // iterations in all; fewer where a pass gains nothing
   double mean_error = 0.0;  // mean |alpha - matte| over the rays of the last pass
 };
-using OpacityWatcher = std::function<void(const OpacityPreview&)>;
+// Returns whether to go on. On false the tree is what estimate_opacity gives with `stop_after` at
+// this iteration: that of the level reached, which may be coarser than the finest.
+using OpacityWatcher = std::function<bool(const OpacityPreview&)>;
 
 // Finds the crown's box from the mattes, carves it by all mattes, and solves for extinction by
 // multiplicative least-squares EM, coarse to fine. Throws Error when fewer than 2 photos have a

@@ -15,43 +15,50 @@ using Keys = std::map<std::string, ContentHash>;
 
 constexpr int kEntriesKept = 4;  // of each stage: the latest, and those of a few settings before
 
-Keys stage_keys(const Capture& capture, const Recipe& recipe) {
-  Keys keys;
-  Recipe copy = recipe;
-  for (const Stage& stage : stages()) {
-    ContentHasher hasher;
-    hasher.text(stage.name).value(stage.version);
-    if (stage.options) {
-      for (const Option& option : stage.options(copy)) {
-        hasher.text(option.name).text(value_text(option));
-      }
-    }
-    for (const std::string& input : stage.inputs) {
-      hasher.value(keys.at(input).high).value(keys.at(input).low);
-    }
-    if (stage.hash_sources) stage.hash_sources(hasher, capture);
-    keys[stage.name] = hasher.finish();
+// The watchers, and where they stop a stage before its end: the iteration, into the recipe that the
+// run goes on with. The recipe must outlive them.
+RunWatchers noting_stops(const RunWatchers& watchers, Recipe& recipe) {
+  RunWatchers noting;
+  noting.compress = watchers.compress;
+  if (watchers.opacity) {
+    noting.opacity = [&recipe, watcher = watchers.opacity](const OpacityPreview& preview) {
+      if (watcher(preview)) return true;
+      if (preview.iteration < preview.planned) recipe.opacity.stop_after = preview.iteration;
+      return false;
+    };
   }
-  return keys;
+  if (watchers.radiance) {
+    noting.radiance = [&recipe, watcher = watchers.radiance](const RadiancePreview& preview) {
+      if (watcher(preview)) return true;
+      if (preview.epoch < preview.planned) recipe.radiance.stop_after = preview.epoch;
+      return false;
+    };
+  }
+  return noting;
 }
 
 // One run: obtains results recursively, keeping in memory only what is still needed.
 class Runner {
  public:
   Runner(const Project& project, const Capture& capture, const std::vector<std::string>& wanted,
-         Progress& progress, Share share)
+         Progress& progress, Share share, const RunWatchers& watchers, const Results& known)
       : capture_(capture),
-        recipe_(project.recipe),
         keys_(stage_keys(capture, project.recipe)),
         cache_(project.cache_folder()),
         wanted_(wanted.begin(), wanted.end()),
         progress_(progress),
-        share_(share) {
+        share_(share),
+        watchers_(noting_stops(watchers, run_.recipe)) {
+    run_.recipe = project.recipe;
+    run_.results = known;
     for (const std::string& stage : wanted) plan(stage_named(stage));
   }
 
+  // In the order of the stages: one that is stopped early changes the keys of all behind it.
   Run run() {
-    for (const std::string& stage : wanted_) obtain(stage_named(stage));
+    for (const Stage& stage : stages()) {
+      if (wanted_.count(stage.name) > 0) obtain(stage);
+    }
     progress_.scope(share_.to, share_.to);
     return std::move(run_);
   }
@@ -59,6 +66,7 @@ class Runner {
  private:
   // Finds what will have to be computed, as far as the cache's file names tell.
   void plan(const Stage& stage) {
+    if (stage.is_held(run_.results)) return;
     if (cache_.contains(stage.name, keys_.at(stage.name))) return;
     if (!to_compute_.insert(stage.name).second) return;
     total_share_ += stage.share;
@@ -69,7 +77,10 @@ class Runner {
     if (stage.is_held(run_.results)) return;
     progress_.check();
     if (load(stage)) return;
+    const ContentHash planned = keys_.at(stage.name);
     for (const std::string& input : stage.inputs) obtain(stage_named(input));
+    const bool input_was_stopped = keys_.at(stage.name) != planned;
+    if (input_was_stopped && load(stage)) return;
     compute(stage);
   }
 
@@ -94,8 +105,9 @@ class Runner {
   void compute(const Stage& stage) {
     const auto start = std::chrono::steady_clock::now();
     begin_share(stage);
-    stage.compute(capture_, recipe_, run_.results, progress_);
+    stage.compute(capture_, run_.recipe, run_.results, progress_, watchers_);
     progress_.check();
+    keys_ = stage_keys(capture_, run_.recipe);  // others where a watcher stopped the stage
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     store(stage, spent.count());
     to_compute_.erase(stage.name);
@@ -137,18 +149,38 @@ class Runner {
   }
 
   const Capture& capture_;
-  const Recipe& recipe_;
   Keys keys_;
   Cache cache_;
   std::set<std::string> wanted_;
   Progress& progress_;
   Share share_;
   Run run_;
+  RunWatchers watchers_;
   std::set<std::string> to_compute_;
   double total_share_ = 0.0, done_share_ = 0.0;
 };
 
 }  // namespace
+
+std::map<std::string, ContentHash> stage_keys(const Capture& capture, const Recipe& recipe) {
+  Keys keys;
+  Recipe copy = recipe;
+  for (const Stage& stage : stages()) {
+    ContentHasher hasher;
+    hasher.text(stage.name).value(stage.version);
+    if (stage.options) {
+      for (const Option& option : stage.options(copy)) {
+        hasher.text(option.name).text(value_text(option));
+      }
+    }
+    for (const std::string& input : stage.inputs) {
+      hasher.value(keys.at(input).high).value(keys.at(input).low);
+    }
+    if (stage.hash_sources) stage.hash_sources(hasher, capture);
+    keys[stage.name] = hasher.finish();
+  }
+  return keys;
+}
 
 ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::string& stage) {
   return stage_keys(capture, recipe).at(stage);
@@ -171,8 +203,9 @@ std::vector<StageTime> times_spent(const Project& project, const Capture& captur
 }
 
 Run run_stages(const Project& project, const Capture& capture,
-               const std::vector<std::string>& wanted, Progress& progress, Share share) {
-  return Runner(project, capture, wanted, progress, share).run();
+               const std::vector<std::string>& wanted, Progress& progress, Share share,
+               const RunWatchers& watchers, const Results& known) {
+  return Runner(project, capture, wanted, progress, share, watchers, known).run();
 }
 
 }  // namespace bosk

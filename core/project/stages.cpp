@@ -117,7 +117,7 @@ Stage photo_stage() {
     for (const Camera& camera : capture.cameras) hash_camera(hasher, camera);
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
-                     Progress& progress) {
+                     Progress& progress, const RunWatchers&) {
     std::vector<std::filesystem::path> files;
     for (const SourceFile& photo : capture.photos) files.push_back(photo.path);
     PhotoImport imported = import_photos(files, capture.cameras, recipe.photo, progress);
@@ -131,7 +131,8 @@ Stage photo_stage() {
 Stage view_stage() {
   Stage stage = stage_of("view", "Views", 0.1, {"photo"});
   stage.hash_sources = hash_left_out;
-  stage.compute = [](const Capture& capture, const Recipe&, Results& results, Progress&) {
+  stage.compute = [](const Capture& capture, const Recipe&, Results& results, Progress&,
+                     const RunWatchers&) {
     results.views = shared(kept(results.imported->photos, capture.left_out, false));
   };
   hold<Photos>(stage, &Results::views, write_stored, read_stored_photos);
@@ -163,7 +164,7 @@ Stage matte_stage() {
     hash_strokes(hasher, capture);
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
-                     Progress& progress) {
+                     Progress& progress, const RunWatchers&) {
     const Photos& all = results.imported->photos;
     const Photos some = capture.left_out.empty() ? Photos() : kept(all, capture.left_out, true);
     const Photos& photos = capture.left_out.empty() ? all : some;
@@ -177,9 +178,10 @@ Stage opacity_stage() {
   Stage stage = stage_of("opacity", "Opacity", 8, {"view", "matte"});
   stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.opacity); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    results.opacity =
-        shared(estimate_opacity(*results.views, *results.mattes, recipe.opacity, progress));
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
+    results.opacity = shared(estimate_opacity(*results.views, *results.mattes, recipe.opacity,
+                                              progress, watchers.opacity));
   };
   hold<OpacityTree>(stage, &Results::opacity, write, read_opacity_tree);
   return stage;
@@ -189,9 +191,10 @@ Stage radiance_stage() {
   Stage stage = stage_of("radiance", "Radiance", 58, {"view", "matte", "opacity"});
   stage.version = 2;
   stage.options = [](Recipe& recipe) { return describe(recipe.radiance); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
     results.radiance = shared(refine_radiance(*results.views, *results.mattes, *results.opacity,
-                                              recipe.radiance, progress));
+                                              recipe.radiance, progress, watchers.radiance));
   };
   hold<RadianceVolume>(stage, &Results::radiance, write, read_radiance_volume);
   return stage;
@@ -201,7 +204,8 @@ Stage texture_stage() {
   Stage stage = stage_of("texture", "Textures", 6, {"view", "radiance"});
   stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.texture); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers&) {
     results.billboards = shared(
         bake_billboards(*results.radiance, cameras_of(*results.views), recipe.texture, progress));
   };
@@ -212,8 +216,10 @@ Stage texture_stage() {
 Stage compress_stage() {
   Stage stage = stage_of("compress", "Codebooks", 18, {"texture"});
   stage.options = [](Recipe& recipe) { return describe(recipe.compress); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
-    results.textures = shared(compress_billboards(*results.billboards, recipe.compress, progress));
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers& watchers) {
+    results.textures = shared(
+        compress_billboards(*results.billboards, recipe.compress, progress, watchers.compress));
   };
   hold<CodedTextures>(stage, &Results::textures, write, read_coded_textures);
   return stage;
@@ -233,7 +239,8 @@ Stage pack_stage() {
   Stage stage = stage_of("pack", "Package", 4, {"view", "texture", "compress"});
   stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.pack); };
-  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress) {
+  stage.compute = [](const Capture&, const Recipe& recipe, Results& results, Progress& progress,
+                     const RunWatchers&) {
     const TreeMetadata metadata = metadata_of(recipe.pack, results.views->size());
     TreeModel tree = assemble_tree(*results.billboards, *results.textures, metadata);
     std::optional<ProgressPart> part(std::in_place, progress, 0.0, 0.7);

@@ -25,6 +25,15 @@ struct Results {
   std::shared_ptr<const std::vector<std::byte>> package;
 };
 
+// Who is told of a stage's state while it is computed, in the thread that runs it; none of them is
+// called where the result comes from the cache. The first two may end their stage early, after the
+// iteration they were told of.
+struct RunWatchers {
+  OpacityWatcher opacity;
+  RadianceWatcher radiance;
+  CompressWatcher compress;
+};
+
 // One step from photos to package. To add one: its result above, its options in Recipe, a row in
 // stages.cpp.
 struct Stage {
@@ -36,7 +45,8 @@ struct Stage {
   std::function<Options(Recipe&)> options;
   // What else the result depends on: files, names.
   std::function<void(ContentHasher&, const Capture&)> hash_sources;
-  std::function<void(const Capture&, const Recipe&, Results&, Progress&)> compute;
+  std::function<void(const Capture&, const Recipe&, Results&, Progress&, const RunWatchers&)>
+      compute;
   std::function<bool(const Results&)> is_held;
   std::function<void(Results&)> let_go;
   std::function<void(BinaryWriter&, const Results&)> write;

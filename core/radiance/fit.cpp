@@ -143,7 +143,7 @@ float rate_of(double done) {
 template <int N>
 void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& support,
          const FitSchedule& schedule, Progress& progress,
-         const std::function<void(double)>& after_epoch) {
+         const std::function<bool(double)>& after_epoch) {
   Adam<N> adam(nodes_of<N>(volume), volume.grid);
   const double per_step = double(cache.rays.size()) / double(volume.grid.size()) / schedule.subsets;
   adam.smooth_colour = float(schedule.colour_variation * per_step);
@@ -174,8 +174,8 @@ void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& 
       lane.squared_error = 0.0, lane.rays = 0;
     }
     store<N>(adam.nodes, volume);
-    if (after_epoch)
-      after_epoch(-10.0 * std::log10(std::max(squared / (4.0 * std::max(count, 1.0)), 1e-12)));
+    const double mean = std::max(squared / (4.0 * std::max(count, 1.0)), 1e-12);
+    if (after_epoch && !after_epoch(-10.0 * std::log10(mean))) return;
   }
 }
 
@@ -183,7 +183,7 @@ void fit(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& 
 
 void fit_volume(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& support,
                 const FitSchedule& schedule, Progress& progress,
-                const std::function<void(double)>& after_epoch) {
+                const std::function<bool(double)>& after_epoch) {
   switch (volume.degree) {
     case 0:
       return fit<1>(volume, cache, support, schedule, progress, after_epoch);

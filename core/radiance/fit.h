@@ -28,10 +28,10 @@ struct FitSchedule {
 // with samples one cell apart; extinction is trilinear between the cells' centres, colour the mean
 // of the cells' colours weighted by what each adds to the extinction, everything premultiplied and
 // sRGB-encoded (emission-absorption model, as in volume rendering; Max 1995). Calls
-// `after_epoch(psnr_db)`.
+// `after_epoch(psnr_db)`, which says whether to go on.
 void fit_volume(RadianceVolume& volume, const RayCache& cache, const TrilinearSupport& support,
                 const FitSchedule& schedule, Progress& progress,
-                const std::function<void(double)>& after_epoch);
+                const std::function<bool(double)>& after_epoch);
 
 // Sets the mean colour of each cell to the photos' straight colours, each weighted by how much of
 // the pixel the cell makes up; the higher coefficients to zero.

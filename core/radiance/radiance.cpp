@@ -111,6 +111,31 @@ int finest_step(const Photos& photos, const Mattes& mattes, const RadianceVolume
   return std::clamp(int(std::ceil(std::sqrt(all / (1e6 * max_samples)))), 1, kCountedStep);
 }
 
+// Counts epochs over all phases, tells the watcher, and says whether to go on.
+class Epochs {
+ public:
+  Epochs(const RadianceOptions& options, const std::vector<Phase>& phases,
+         const RadianceWatcher& watcher)
+      : stop_after_(options.stop_after), watcher_(watcher) {
+    for (const Phase& phase : phases) planned_ += phase.epochs;
+    if (stop_after_ > 0) planned_ = std::min(planned_, stop_after_);
+  }
+
+  bool go_on(const RadianceVolume& volume, double psnr_db) {
+    ++done_;
+    const bool wanted = !watcher_ || watcher_({volume, done_, planned_, psnr_db});
+    stopped_ = !wanted || done_ == stop_after_;
+    return !stopped_;
+  }
+  int done() const { return done_; }
+  bool stopped() const { return stopped_; }
+
+ private:
+  int stop_after_ = 0, planned_ = 0, done_ = 0;
+  bool stopped_ = false;
+  const RadianceWatcher& watcher_;
+};
+
 [[noreturn]] void throw_empty() {
   throw Error(
       "nothing opaque is left of the volume: check that mattes and cameras belong together");
@@ -199,6 +224,13 @@ Options describe(RadianceOptions& options) {
        0.0,
        1.0,
        {}},
+      {"stop_after",
+       "",
+       "ends after so many passes, counted over all levels, and keeps what there is; 0 is never",
+       &options.stop_after,
+       0,
+       10000,
+       {}},
   };
 }
 
@@ -230,13 +262,13 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
                         options.degree, opacity.extinction, {}};
   volume.colour.assign(volume.grid.size() * std::size_t(volume.coefficients()) * 3, 0.0f);
   volume = without_faint(volume, kFaintStart);
-  int epoch = 0;
   const std::vector<Phase> phases = phases_of(
       options, opacity.level(), finest_step(photos, mattes, volume, options.max_samples, progress));
+  Epochs epochs(options, phases, watcher);
   const std::vector<double> shares = shares_of(phases);
   std::optional<Phase> cast;  // the phase whose rays `cache` holds
   RayCache cache;
-  for (std::size_t at = 0; at < phases.size(); ++at) {
+  for (std::size_t at = 0; at < phases.size() && !epochs.stopped(); ++at) {
     const Phase& phase = phases[at];
     const ProgressPart phase_part(progress, shares[at], shares[at + 1]);
     std::optional<ProgressPart> step_part(std::in_place, progress, 0.0, kCastingShare);
@@ -248,13 +280,10 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
       cache = cache_rays(photos, mattes, phase.step, {volume.origin, volume.size_m}, phase.level,
                          support, progress);
     }  // else only cells were dropped since: the rays' stretches still hold all that are left
-    if (volume.grid.level() == opacity.level() && epoch == 0)
-      back_project_colour(volume, cache, support, progress);
+    if (epochs.done() == 0) back_project_colour(volume, cache, support, progress);
     step_part.emplace(progress, kCastingShare, 1.0);
-    fit_volume(volume, cache, support, schedule_of(options, phase), progress, [&](double psnr_db) {
-      if (watcher) watcher({volume, ++epoch, psnr_db});
-    });
-    ++epoch;
+    fit_volume(volume, cache, support, schedule_of(options, phase), progress,
+               [&](double psnr_db) { return epochs.go_on(volume, psnr_db); });
     volume = without_faint(volume, phase.faintest);
   }
   return volume;

@@ -27,6 +27,7 @@ struct RadianceOptions {
   double colour_variation = 0.05;  // weight of the total variation of colour, per ray
   double extinction_variation = 0.003;  // and of extinction
   double faintest = 0.02;  // extinction per cell edge below which a finished cell is dropped
+  int stop_after = 0;      // epochs, counted over all levels; 0: never
 };
 Options describe(RadianceOptions& options);
 
@@ -49,10 +50,13 @@ struct RadianceVolume {
 // The state after an epoch, for whoever watches. Valid during the call only.
 struct RadiancePreview {
   const RadianceVolume& volume;
-  int epoch = 0;
+  int epoch = 0;         // from 1, over all levels
+  int planned = 0;       // epochs in all
   double psnr_db = 0.0;  // of the rays of the epoch, premultiplied colour and alpha
 };
-using RadianceWatcher = std::function<void(const RadiancePreview&)>;
+// Returns whether to go on. On false the volume is what refine_radiance gives with `stop_after` at
+// this epoch: that of the level reached, without its faint cells.
+using RadianceWatcher = std::function<bool(const RadiancePreview&)>;
 
 // Refines opacity and colour together so that the volume, composited along each pixel's ray, gives
 // the matted photos. Throws Error when photos carry no pixels.

@@ -85,8 +85,32 @@ TEST(EstimateOpacity, TellsItsWatcherOfEachPass) {
                    [&](const OpacityPreview& preview) {
                      EXPECT_EQ(preview.iteration, ++passes);
                      EXPECT_EQ(preview.tree.extinction.size(), preview.tree.grid.size());
+                     return true;
                    });
   EXPECT_GE(passes, 1);
+}
+
+TEST(EstimateOpacity, StoppedByItsWatcherGivesWhatStopAfterGives) {
+  const BallScene scene;
+  const Photos photos = ring_photos(scene, 6);
+  const Mattes mattes = mattes_of(scene, photos);
+  OpacityOptions options = quick();
+  options.finest_level = 6;
+  options.passes = 2;
+  Progress progress;
+  for (int stop = 1; stop <= 3; ++stop) {  // within the first level, at its end, within the second
+    const OpacityTree told =
+        estimate_opacity(photos, mattes, options, progress, [&](const OpacityPreview& preview) {
+          EXPECT_EQ(preview.planned, 4);  // 2 passes at each of levels 5 and 6
+          return preview.iteration < stop;
+        });
+    OpacityOptions fewer = options;
+    fewer.stop_after = stop;
+    const OpacityTree asked = estimate_opacity(photos, mattes, fewer, progress);
+    EXPECT_EQ(told.grid.cells(), asked.grid.cells());
+    EXPECT_EQ(told.extinction, asked.extinction);  // to the bit
+    EXPECT_EQ(told.level(), stop <= 2 ? 5 : 6);
+  }
 }
 
 TEST(EstimateOpacity, GivesTheSameWithOneThreadAndMany) {
@@ -132,7 +156,10 @@ TEST(EstimateOpacity, StopsWhenCancelledBetweenPasses) {
   const BallScene scene;
   const Photos photos = ring_photos(scene, 6);
   Progress progress;
-  const auto cancel = [&](const OpacityPreview&) { progress.cancel(); };
+  const auto cancel = [&](const OpacityPreview&) {
+    progress.cancel();
+    return true;
+  };
   EXPECT_THROW(estimate_opacity(photos, mattes_of(scene, photos), quick(), progress, cancel),
                Cancelled);
 }

@@ -162,6 +162,60 @@ TEST_F(RunStages, GoOnAfterAKillToTheSameBits) {
   EXPECT_EQ(at_once.results.opacity->extinction, resumed.results.opacity->extinction);
 }
 
+std::vector<std::byte> stored_bytes(const RadianceVolume& volume) {
+  BinaryWriter writer;
+  write(writer, volume);
+  return writer.bytes();
+}
+
+TEST_F(RunStages, ToldToStopGiveTheBytesOfStopAfterAndKeepThemUnderItsKey) {
+  Project told = project(), asked = told;
+  told.folder = *scratch / "told";
+  asked.folder = *scratch / "asked";
+  const Capture capture = gather_capture(told);
+  Progress progress;
+  RunWatchers watchers;
+  watchers.radiance = [](const RadiancePreview& preview) { return preview.epoch < 2; };
+  const auto stopped = run_stages(told, capture, {"radiance"}, progress, {}, watchers);
+  EXPECT_EQ(stopped.recipe.radiance.stop_after, 2);
+  EXPECT_FALSE(is_finished(told, capture, "radiance"));  // the whole of it isn't
+
+  asked.recipe.radiance.stop_after = 2;
+  const auto fresh = run_stages(asked, capture, {"radiance"}, progress);
+  EXPECT_EQ(stored_bytes(*stopped.results.radiance), stored_bytes(*fresh.results.radiance));
+  told.recipe = stopped.recipe;
+  EXPECT_TRUE(is_finished(told, capture, "radiance"));
+}
+
+TEST_F(RunStages, GoOnBehindAStageThatWasStopped) {
+  Project project = this->project();
+  project.recipe.opacity.passes = 2;
+  project.folder = *scratch / "stopped";
+  const Capture capture = gather_capture(project);
+  Progress progress;
+  RunWatchers watchers;
+  watchers.opacity = [](const OpacityPreview&) { return false; };
+  const auto run = run_stages(project, capture, {"opacity", "radiance"}, progress, {}, watchers);
+  EXPECT_EQ(run.recipe.opacity.stop_after, 1);
+  project.recipe = run.recipe;
+  EXPECT_TRUE(is_finished(project, capture, "opacity"));
+  EXPECT_TRUE(is_finished(project, capture, "radiance"));
+}
+
+TEST_F(RunStages, ToldToStopAfterTheLastIterationAreSimplyFinished) {
+  Project project = this->project();
+  project.folder = *scratch / "last";
+  const Capture capture = gather_capture(project);
+  Progress progress;
+  RunWatchers watchers;
+  watchers.opacity = [](const OpacityPreview& preview) {
+    return preview.iteration < preview.planned;
+  };
+  const auto run = run_stages(project, capture, {"opacity"}, progress, {}, watchers);
+  EXPECT_EQ(run.recipe.opacity.stop_after, 0);
+  EXPECT_TRUE(is_finished(project, capture, "opacity"));
+}
+
 TEST_F(RunStages, SayWhatIsMissingWithoutMattesAndStrokes) {
   Project project = this->project();
   project.mattes.clear();

@@ -138,8 +138,10 @@ TEST(FitVolume, ReportsRisingPsnr) {
   RadianceVolume volume = grey_start(0);
   std::vector<double> psnr_db;
   Progress progress;
-  fit_volume(volume, block.cache, block.support, schedule(4), progress,
-             [&](double value) { psnr_db.push_back(value); });
+  fit_volume(volume, block.cache, block.support, schedule(4), progress, [&](double value) {
+    psnr_db.push_back(value);
+    return true;
+  });
   ASSERT_EQ(psnr_db.size(), 4u);
   EXPECT_GT(psnr_db.back(), psnr_db.front());
 }
@@ -150,8 +152,10 @@ TEST(FitVolume, LeavesTheVolumeAloneWithoutRays) {
   block.cache.first_rays = {0};
   RadianceVolume volume = grey_start(0);
   Progress progress;
-  fit_volume(volume, block.cache, block.support, schedule(1), progress,
-             [](double psnr_db) { EXPECT_TRUE(std::isfinite(psnr_db)); });
+  fit_volume(volume, block.cache, block.support, schedule(1), progress, [](double psnr_db) {
+    EXPECT_TRUE(std::isfinite(psnr_db));
+    return true;
+  });
   EXPECT_EQ(volume.extinction, grey_start(0).extinction);
   EXPECT_EQ(volume.colour, grey_start(0).colour);
 }

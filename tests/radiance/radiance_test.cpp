@@ -93,6 +93,42 @@ TEST(RefineRadiance, GivesTheSameWithOneThreadAndMany) {
   EXPECT_EQ(many.colour, single.colour);
 }
 
+TEST(RefineRadiance, CountsEpochsOneByOneOverAllLevels) {
+  const BallScene scene = two_colours();
+  const Photos photos = ring_photos(scene, 6);
+  const Mattes mattes = mattes_of(scene, photos);
+  RadianceOptions options;  // 3 coarse ones, 3 on halved photos, 2 on all pixels, 1 last
+  std::vector<int> epochs;
+  Progress progress;
+  refine_radiance(photos, mattes, opacity_of(photos, mattes), options, progress,
+                  [&](const RadiancePreview& preview) {
+                    EXPECT_EQ(preview.planned, 9);
+                    epochs.push_back(preview.epoch);
+                    return true;
+                  });
+  EXPECT_EQ(epochs, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST(RefineRadiance, StoppedByItsWatcherGivesWhatStopAfterGives) {
+  const BallScene scene = two_colours();
+  const Photos photos = ring_photos(scene, 6);
+  const Mattes mattes = mattes_of(scene, photos);
+  const OpacityTree opacity = opacity_of(photos, mattes);
+  Progress progress;
+  for (const int stop : {2, 3, 4}) {  // within the first stretch, at its end, within the next
+    RadianceOptions options;
+    const RadianceVolume told =
+        refine_radiance(photos, mattes, opacity, options, progress,
+                        [&](const RadiancePreview& preview) { return preview.epoch < stop; });
+    options.stop_after = stop;
+    const RadianceVolume asked = refine_radiance(photos, mattes, opacity, options, progress);
+    EXPECT_EQ(told.grid.cells(), asked.grid.cells());
+    EXPECT_EQ(told.extinction, asked.extinction);  // to the bit
+    EXPECT_EQ(told.colour, asked.colour);
+    EXPECT_EQ(told.grid.level(), opacity.level() + (stop <= 3 ? 0 : 1));
+  }
+}
+
 TEST(RefineRadiance, NamesTheRemedyWhenNothingIsOpaque) {
   const BallScene scene = two_colours();
   const Photos photos = ring_photos(scene, 4);
