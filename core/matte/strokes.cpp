@@ -169,6 +169,44 @@ void paint_tile(const Tile& tile, const std::vector<Run>& runs, const Photo& pho
   }
 }
 
+void restore_tile(const Tile& tile, const Image<std::uint8_t>& below,
+                  Image<std::uint8_t>& scribbles) {
+  for (int y = tile.y; y < tile.end_y; ++y) {
+    for (int x = tile.x; x < tile.end_x; ++x) {
+      scribbles(x, y) = below.empty() ? kNoStroke : below(x, y);
+    }
+  }
+}
+
+std::vector<Run> runs_of(const std::vector<Stroke>& strokes) {
+  std::vector<Run> runs;
+  for (const Stroke& stroke : strokes) add_runs(stroke, runs);
+  return runs;
+}
+
+void fit(const Photo& photo, Image<std::uint8_t>& scribbles) {
+  const Lens& working = photo.camera.lens;
+  if (scribbles.empty()) scribbles = {working.width_px, working.height_px, kNoStroke};
+  assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
+}
+
+PixelBox whole_of(const Photo& photo) {
+  return {{0, 0}, {photo.camera.lens.width_px, photo.camera.lens.height_px}};
+}
+
+// Calls work(tile) for the tiles of the box, from several threads.
+template <class Work>
+void for_each_tile(const Photo& photo, const PixelBox& box, Work&& work) {
+  const PixelBox inside = overlap(box, whole_of(photo));
+  if (inside.empty()) return;
+  const int rows = (inside.to.y - inside.from.y + kTilePx - 1) / kTilePx;
+  tbb::parallel_for(0, rows, [&](int row) {
+    for (int x = inside.from.x; x < inside.to.x; x += kTilePx) {
+      work(tile_at(x, inside.from.y + row * kTilePx, inside, photo));
+    }
+  });
+}
+
 }  // namespace
 
 Stroke rounded_stroke(Stroke stroke) {
@@ -202,7 +240,7 @@ double taken_px_per_working_px(const Photo& photo) {
 
 // Of the disc around each point; two pixels more, since lenses bend its edge.
 PixelBox box_of(const Stroke& stroke, const Photo& photo) {
-  const PixelBox whole{{0, 0}, {photo.camera.lens.width_px, photo.camera.lens.height_px}};
+  const PixelBox whole = whole_of(photo);
   constexpr double kEdge = 2.0, kFar = 1e8;  // the latter is what an int can hold
   const double r = 1.1 * stroke.radius_px;
   PixelBox box;
@@ -220,25 +258,27 @@ PixelBox box_of(const Stroke& stroke, const Photo& photo) {
 
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
                    Image<std::uint8_t>& scribbles) {
-  const Lens& working = photo.camera.lens;
-  paint_strokes(strokes, photo, {{0, 0}, {working.width_px, working.height_px}}, scribbles);
+  paint_strokes(strokes, photo, whole_of(photo), scribbles);
 }
 
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo, const PixelBox& box,
                    Image<std::uint8_t>& scribbles) {
-  const Lens& working = photo.camera.lens;
-  if (scribbles.empty()) scribbles = {working.width_px, working.height_px, kNoStroke};
-  assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
-  std::vector<Run> runs;
-  for (const Stroke& stroke : strokes) add_runs(stroke, runs);
-  const PixelBox inside = overlap(box, {{0, 0}, {working.width_px, working.height_px}});
-  if (inside.empty() || runs.empty()) return;
-  const int rows = (inside.to.y - inside.from.y + kTilePx - 1) / kTilePx;
-  tbb::parallel_for(0, rows, [&](int row) {
-    for (int x = inside.from.x; x < inside.to.x; x += kTilePx) {
-      const Tile tile = tile_at(x, inside.from.y + row * kTilePx, inside, photo);
-      paint_tile(tile, runs, photo, scribbles);
-    }
+  fit(photo, scribbles);
+  const std::vector<Run> runs = runs_of(strokes);
+  if (runs.empty()) return;
+  for_each_tile(photo, box, [&](const Tile& tile) { paint_tile(tile, runs, photo, scribbles); });
+}
+
+void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
+                     const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles) {
+  fit(photo, scribbles);
+  const std::vector<Run> runs = runs_of(strokes), changed_runs = runs_of({changed});
+  for_each_tile(photo, whole_of(photo), [&](const Tile& tile) {
+    const bool touched = std::any_of(changed_runs.begin(), changed_runs.end(),
+                                     [&](const Run& run) { return may_touch(run, tile); });
+    if (!touched) return;
+    restore_tile(tile, below, scribbles);
+    paint_tile(tile, runs, photo, scribbles);
   });
 }
 

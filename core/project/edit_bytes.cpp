@@ -1,6 +1,7 @@
 #include "core/project/edit_bytes.h"
 
 #include <cmath>
+#include <string>
 
 #include "core/base/binary.h"
 #include "core/base/error.h"
@@ -14,9 +15,13 @@ using Paths = std::vector<fs::path>;
 std::int32_t steps(double px) { return std::int32_t(std::lround(px / kStrokeStepPx)); }
 double pixels(std::int32_t steps) { return steps * kStrokeStepPx; }
 
+void write(BinaryWriter& writer, const std::string& text) {
+  writer.array(std::vector<char>(text.begin(), text.end()));
+}
+
 void write(BinaryWriter& writer, const Paths& paths) {
   writer.value(std::uint64_t(paths.size()));
-  for (const fs::path& path : paths) writer.text(path.string());
+  for (const fs::path& path : paths) write(writer, path.string());
 }
 
 void write(BinaryWriter& writer, const Stroke& stroke) {
@@ -31,9 +36,9 @@ void write(BinaryWriter& writer, const Stroke& stroke) {
 }
 
 void write(BinaryWriter& writer, const SetOption& edit) {
-  writer.text(edit.name);
-  writer.text(edit.before);
-  writer.text(edit.after);
+  write(writer, edit.name);
+  write(writer, edit.before);
+  write(writer, edit.after);
 }
 void write(BinaryWriter& writer, const SetPhotos& edit) {
   write(writer, edit.before);
@@ -41,17 +46,23 @@ void write(BinaryWriter& writer, const SetPhotos& edit) {
 }
 void write(BinaryWriter& writer, const SetFiles& edit) {
   writer.value(edit.which);
-  writer.text(edit.before.string());
-  writer.text(edit.after.string());
+  write(writer, edit.before.string());
+  write(writer, edit.after.string());
 }
 void write(BinaryWriter& writer, const AddStroke& edit) {
-  writer.text(edit.photo);
+  write(writer, edit.photo);
   write(writer, edit.stroke);
 }
 void write(BinaryWriter& writer, const ClearStrokes& edit) {
-  writer.text(edit.photo);
+  write(writer, edit.photo);
   writer.value(std::uint64_t(edit.before.size()));
   for (const Stroke& stroke : edit.before) write(writer, stroke);
+}
+
+void write(BinaryWriter& writer, const SetOptions& edit) {
+  write(writer, edit.what);
+  writer.value(std::uint64_t(edit.options.size()));
+  for (const SetOption& option : edit.options) write(writer, option);
 }
 
 // One of an enumeration's first `count` values.
@@ -122,6 +133,15 @@ ClearStrokes read_cleared(BinaryReader& reader) {
   return edit;
 }
 
+SetOptions read_options(BinaryReader& reader) {
+  SetOptions edit;
+  edit.what = reader.text();
+  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
+    edit.options.push_back(read_option(reader));
+  }
+  return edit;
+}
+
 Edit read_edit(BinaryReader& reader) {
   switch (reader.value<std::uint8_t>()) {
     case 0:
@@ -134,6 +154,8 @@ Edit read_edit(BinaryReader& reader) {
       return read_added(reader);
     case 4:
       return read_cleared(reader);
+    case 5:
+      return read_options(reader);
     default:
       throw Error("there is no such edit");
   }

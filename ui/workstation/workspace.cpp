@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/project/cache.h"
+#include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/matte_paint.h"
 #include "ui/workstation/stage_run.h"
@@ -143,18 +144,6 @@ void edit(Workspace& workspace, Edit change) {
   refresh(workspace);
 }
 
-void set_recipe(Workspace& workspace, const Recipe& recipe) {
-  Recipe wanted = recipe;
-  for (const OptionGroup& group : option_groups(wanted)) {
-    for (const Option& option : group.options) {
-      const std::string name = group.stage + "." + option.name, text = value_text(option);
-      if (option_text(workspace.project().recipe, name) == text) continue;
-      workspace.session->apply(option_edit(workspace.project(), name, text));
-    }
-  }
-  refresh(workspace);
-}
-
 void undo(Workspace& workspace) {
   if (workspace.session && workspace.session->can_undo()) workspace.session->undo();
   refresh(workspace);
@@ -178,6 +167,15 @@ void refresh(Workspace& workspace) {
   workspace.seen_revision = revision;
   refresh_capture(workspace);
   refresh_keys(workspace);
+}
+
+float scale_of(const Workspace& workspace) {
+  return workspace.settings.scale > 0.0 ? float(workspace.settings.scale)
+                                        : workspace.screen_scale;
+}
+
+void ask_for_scale(Workspace& workspace, float scale) {
+  workspace.scale_wanted = std::clamp(scale, kLeastScale, kLargestScale);
 }
 
 StageState state_of(const Workspace& workspace, const std::string& stage) {
