@@ -1,0 +1,40 @@
+#include "ui/picture_pace.h"
+
+namespace bosk {
+namespace {
+
+FrameCost cost_of(const FrameFigures& figures) { return {figures.trees_ms, figures.billboards}; }
+
+}  // namespace
+
+PictureKey picture_key(const ViewCamera& camera, const glm::ivec2& size_px,
+                       const ViewOptions& options, double now_s) {
+  ViewOptions copy = options;
+  return {size_px, camera, values_text(describe(copy)), options.wind_m > 0.0 ? now_s : 0.0};
+}
+
+bool draw_when_changed(PicturePace& pace, const PictureKey& key, const ViewOptions& options,
+                       const DrawWithBudget& draw) {
+  if (pace.drawn == key) return false;
+  pace.drawn = key;
+  const auto most = std::uint64_t(options.budget);
+  const double target_ms = time_for_trees(options.frame_ms, pace.figures.scenery_ms);
+  pace.moving_budget = options.frame_ms > 0.0
+                           ? adapted_budget(pace.moving_budget, pace.moving_cost, target_ms, most)
+                           : most;
+  pace.figures = draw(key, pace.moving_budget);
+  pace.moving_cost = cost_of(pace.figures);
+  return true;
+}
+
+bool refine_at_rest(PicturePace& pace, const ViewOptions& options, const DrawWithBudget& draw) {
+  if (!pace.drawn || pace.figures.detail >= options.detail) return false;
+  const double allowed_ms =
+      options.still_ms > 0.0 ? time_for_trees(options.still_ms, pace.figures.scenery_ms) : 0.0;
+  const auto budget = still_budget(pace.figures.budget, cost_of(pace.figures), allowed_ms,
+                                   std::uint64_t(options.budget));
+  if (budget) pace.figures = draw(*pace.drawn, *budget);
+  return budget.has_value();
+}
+
+}  // namespace bosk
