@@ -27,12 +27,16 @@ bool draw_when_changed(PicturePace& pace, const PictureKey& key, const ViewOptio
   return true;
 }
 
-bool refine_at_rest(PicturePace& pace, const ViewOptions& options, const DrawWithBudget& draw) {
-  if (!pace.drawn || pace.figures.detail >= options.detail) return false;
+std::optional<std::uint64_t> better_budget(const PicturePace& pace, const ViewOptions& options) {
+  const FrameFigures& figures = pace.figures;
+  if (!pace.drawn || figures.detail >= options.detail) return std::nullopt;
   const double allowed_ms =
-      options.still_ms > 0.0 ? time_for_trees(options.still_ms, pace.figures.scenery_ms) : 0.0;
-  const auto budget = still_budget(pace.figures.budget, cost_of(pace.figures), allowed_ms,
-                                   std::uint64_t(options.budget));
+      options.still_ms > 0.0 ? time_for_trees(options.still_ms, figures.scenery_ms) : 0.0;
+  return still_budget(figures.budget, cost_of(figures), allowed_ms, std::uint64_t(options.budget));
+}
+
+bool refine_at_rest(PicturePace& pace, const ViewOptions& options, const DrawWithBudget& draw) {
+  const auto budget = better_budget(pace, options);
   if (budget) pace.figures = draw(*pace.drawn, *budget);
   return budget.has_value();
 }

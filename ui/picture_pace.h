@@ -40,8 +40,10 @@ using DrawWithBudget = std::function<FrameFigures(const PictureKey&, std::uint64
 bool draw_when_changed(PicturePace& pace, const PictureKey& key, const ViewOptions& options,
                        const DrawWithBudget& draw);
 
-// Draws the same again, now that nothing moves, if a better picture can be had within
-// `still_ms`. Returns whether it drew.
+// The budget of a better picture of the same, to be had within about `still_ms`; none: there is
+// none.
+std::optional<std::uint64_t> better_budget(const PicturePace& pace, const ViewOptions& options);
+// Draws it, now that nothing moves. Returns whether it drew.
 bool refine_at_rest(PicturePace& pace, const ViewOptions& options, const DrawWithBudget& draw);
 
 }  // namespace bosk
