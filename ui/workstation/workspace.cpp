@@ -52,7 +52,7 @@ void install(Workspace& workspace, Made made) {
     if (stage_named(stage).is_held(made.run.results)) workspace.made[stage] = key;
   }
   apply_what_was_used(workspace, made.run);
-  workspace.seen_revision = 0;  // what is stored may have changed
+  workspace.seen_revision.reset();  // what is stored may have changed
 }
 
 void start_run(Workspace& workspace, const std::string& title, const std::string& stage,
@@ -107,6 +107,8 @@ void open_project(Workspace& workspace, const fs::path& folder) {
   auto session = std::make_unique<Session>(folder);
   close_project(workspace);
   workspace.session = std::move(session);
+  workspace.seen_revision.reset();
+  workspace.seen_files = 0;
   remember(workspace.settings, folder);
   save_settings(workspace.settings, workspace.settings_place);
   workspace.step = WorkStep::photos;
@@ -166,7 +168,7 @@ void refresh(Workspace& workspace) {
   if (workspace.running_job != 0 && !workspace.jobs.is_open(workspace.running_job)) {
     workspace.running_job = 0;
     workspace.running_stage.clear();
-    workspace.seen_revision = 0;
+    workspace.seen_revision.reset();
   }
   if (!workspace.session) return;
   const std::uint64_t revision = workspace.session->revision();

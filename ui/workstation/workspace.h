@@ -104,8 +104,9 @@ struct Workspace {
   PreviewStepState preview;
   ExportStepState export_tree;
 
-  std::uint64_t seen_revision = 0,
-                seen_files = 0;  // of the session, when keys and capture were made
+  // The session's revision when the keys were made; none: make them again.
+  std::optional<std::uint64_t> seen_revision;
+  std::uint64_t seen_files = 0;  // which files the capture was read from
   Jobs jobs;                     // last: its workers must end before what they wake goes
 };
 
