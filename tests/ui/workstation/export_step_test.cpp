@@ -51,7 +51,7 @@ TEST_F(ExportStep, ThePackageIsWhatARunOfTheStagesMakes) {
   ASSERT_FALSE(fs::exists(path));
   write("package");
   Progress quiet;
-  const Run run = run_stages(project, gather_capture(project), {"pack"}, quiet);
+  const bosk::Run run = run_stages(project, gather_capture(project), {"pack"}, quiet);
   EXPECT_EQ(read_file(path, 1u << 30), *run.results.package);
   EXPECT_THAT(told("package"), HasSubstr(path.string()));
 }
@@ -87,13 +87,15 @@ TEST_F(ExportStep, GoesWhereTheTypedPathSays) {
 }
 
 TEST_F(ExportStep, AFailureNamesTheFileAndLeavesNothing) {
-  hand.workspace().export_tree.paths["package"] = "/nowhere/at/all/tree.bosk";
+  write_file_atomically(scratch.path() / "file", std::string_view("no folder"));
+  const std::string path = (scratch.path() / "file" / "tree.bosk").string();
+  hand.workspace().export_tree.paths["package"] = path;
   hand.frame();
   hand.click("export/package/write");
   ASSERT_TRUE(hand.settle());
   EXPECT_FALSE(hand.sees("export/package/told"));
   ASSERT_FALSE(hand.workspace().jobs.records().empty());
-  EXPECT_THAT(hand.workspace().jobs.records().back().message, HasSubstr("/nowhere/at/all"));
+  EXPECT_THAT(hand.workspace().jobs.records().back().message, HasSubstr(path));
 }
 
 TEST_F(ExportStep, LicenceAndCreditAreEditedAndGoIntoThePackage) {
@@ -105,7 +107,7 @@ TEST_F(ExportStep, LicenceAndCreditAreEditedAndGoIntoThePackage) {
   hand.frame();
   EXPECT_EQ(hand.workspace().project().recipe.pack.licence, "CC0-1.0");
   EXPECT_EQ(hand.workspace().project().recipe.pack.credit, "Ann");
-  EXPECT_EQ(hand.workspace().session->undo_title(), "pack.credit  to Ann");
+  EXPECT_EQ(hand.workspace().session->undo_title(), "pack.credit nothing to Ann");
   EXPECT_FALSE(hand.is_enabled("export/package/write")) << "the package doesn't say so yet";
   hand.click("preview/make");
   ASSERT_TRUE(hand.settle());
