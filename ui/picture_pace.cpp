@@ -13,6 +13,20 @@ PictureKey picture_key(const ViewCamera& camera, const glm::ivec2& size_px,
   return {size_px, camera, values_text(describe(copy)), options.wind_m > 0.0 ? now_s : 0.0};
 }
 
+double share_while_moving(double whole_ms, double frame_ms) {
+  if (frame_ms <= 0.0) return 1.0;
+  for (const double share : {1.0, 0.5}) {
+    if (whole_ms * share * share <= 2.0 * frame_ms) return share;
+  }
+  return 0.25;
+}
+
+double whole_picture_ms(const PicturePace& pace, const glm::ivec2& size_px) {
+  if (!pace.drawn) return 0.0;
+  const glm::dvec2 larger = glm::dvec2(size_px) / glm::max(glm::dvec2(pace.drawn->size_px), 1.0);
+  return pace.figures.picture_ms * larger.x * larger.y;
+}
+
 bool draw_when_changed(PicturePace& pace, const PictureKey& key, const ViewOptions& options,
                        const DrawWithBudget& draw) {
   if (pace.drawn == key) return false;

@@ -33,6 +33,12 @@ struct PicturePace {
   FrameCost moving_cost;
 };
 
+// The share of its width and height that a picture is drawn in while it moves, 1, 1/2 or 1/4, so
+// that it takes about `frame_ms` on a driver that needs `whole_ms` for a whole one.
+double share_while_moving(double whole_ms, double frame_ms);
+// About what the newest picture would have taken in `size_px`.
+double whole_picture_ms(const PicturePace& pace, const glm::ivec2& size_px);
+
 using DrawWithBudget = std::function<FrameFigures(const PictureKey&, std::uint64_t budget)>;
 
 // Draws a picture when anything that it shows has changed, with a budget that follows the time that

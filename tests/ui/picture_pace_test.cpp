@@ -57,6 +57,22 @@ TEST(PicturePace, MovingPicturesComeToTakeTheTimeAllowed) {
   EXPECT_NEAR(pace.figures.trees_ms, 50.0, 5.0);
 }
 
+TEST(PicturePace, SlowDriversDrawSmallerPicturesWhileMoving) {
+  EXPECT_EQ(share_while_moving(20.0, 25.0), 1.0);
+  EXPECT_EQ(share_while_moving(150.0, 25.0), 0.5);
+  EXPECT_EQ(share_while_moving(600.0, 25.0), 0.25);
+  EXPECT_EQ(share_while_moving(600.0, 0.0), 1.0) << "no time was asked for";
+}
+
+TEST(PicturePace, TheCostOfAWholePictureGrowsWithItsPixels) {
+  PicturePace pace;
+  EXPECT_EQ(whole_picture_ms(pace, {640, 480}), 0.0) << "nothing was drawn yet";
+  pace.drawn = key_at(0);
+  pace.drawn->size_px = {320, 240};
+  pace.figures.picture_ms = 10.0;
+  EXPECT_DOUBLE_EQ(whole_picture_ms(pace, {640, 480}), 40.0);
+}
+
 TEST(PicturePace, AtRestABetterPictureIsDrawnOnce) {
   PicturePace pace;
   Drawer drawer{.ms_each = 0.01};

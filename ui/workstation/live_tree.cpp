@@ -18,7 +18,8 @@
 namespace bosk {
 namespace {
 
-constexpr int kSlowHeight = 320;  // pixels of a picture that the CPU draws
+constexpr double kMostAtRest = 1000.0;  // ms that a whole picture may take once nothing moves
+constexpr int kSlowHeight = 320;        // pixels of a picture that the CPU draws
 constexpr float kOptionsEms = 19.0f;
 constexpr glm::vec3 kGrey(0.62f);  // behind the CPU's pictures
 
@@ -76,22 +77,39 @@ void hear(LiveTreeState& state, const glm::ivec2& size_px) {
   if (home || !state.framed) frame_tree(state, size_px);
 }
 
+// In how many pixels the wanted picture is drawn now.
+PictureKey key_for_now(LiveTreeState& state, const PictureKey& key, bool at_rest) {
+  const double whole_ms = whole_picture_ms(state.pace, key.size_px);
+  if (state.wanted != key) {
+    state.wanted = key;
+    state.share = share_while_moving(whole_ms, state.look.frame_ms);
+  } else if (at_rest && whole_ms <= kMostAtRest) {
+    state.share = 1.0;
+  }
+  PictureKey now = key;
+  now.size_px = glm::max(glm::ivec2(glm::dvec2(key.size_px) * state.share), glm::ivec2(1));
+  return now;
+}
+
 // Draws through Workspace::tree_pictures, when anything changed or better can be had.
 void draw_fast(Workspace& workspace, const PictureKey& key) {
   LiveTreeState& state = workspace.preview.live;
-  const DrawWithBudget draw = [&](const PictureKey& wanted, std::uint64_t budget) {
-    const Camera camera = camera_of(wanted.camera, wanted.size_px, view_angle(state.look));
+  const DrawWithBudget draw = [&](const PictureKey& now, std::uint64_t budget) {
+    const Camera camera = camera_of(now.camera, now.size_px, view_angle(state.look));
     const DrawnPicture drawn =
-        workspace.tree_pictures.draw(state.scene, camera, state.look, budget, wanted.wind_time_s);
+        workspace.tree_pictures.draw(state.scene, camera, state.look, budget, now.wind_time_s);
     state.texture = drawn.texture;
     state.trouble = drawn.trouble;
     return drawn.figures;
   };
   if (state.drawn_scene != state.scene.get()) state.pace.drawn.reset();
   state.drawn_scene = state.scene.get();
-  const bool drew = draw_when_changed(state.pace, key, state.look, draw);
+  const PictureKey now = key_for_now(state, key, workspace.input.at_rest);
+  const bool drew = draw_when_changed(state.pace, now, state.look, draw);
   if (!drew && workspace.input.at_rest) refine_at_rest(state.pace, state.look, draw);
-  if (better_budget(state.pace, state.look)) workspace.next_frame = NextFrame::at_rest;
+  const bool sharper =
+      state.share < 1.0 && whole_picture_ms(state.pace, key.size_px) <= kMostAtRest;
+  if (sharper || better_budget(state.pace, state.look)) workspace.next_frame = NextFrame::at_rest;
   if (state.look.wind_m > 0.0) workspace.next_frame = NextFrame::at_once;
 }
 
@@ -108,7 +126,8 @@ void draw_slowly(Workspace& workspace, const PictureKey& key) {
       [tree = state.scene->trees.front(), key, look = state.look](Progress& progress) {
         return slow_picture(*tree, key, look, kSlowHeight, progress);
       },
-      [&state](Image<glm::u8vec4> picture) {
+      [&state, scene = state.scene](Image<glm::u8vec4> picture) {
+        if (state.job_scene != scene.get()) return;  // another project's
         state.slow_picture = std::make_shared<const Image<glm::u8vec4>>(std::move(picture));
         ++state.slow_revision;
       },

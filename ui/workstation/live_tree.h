@@ -33,8 +33,10 @@ struct LiveTreeState {
   std::shared_ptr<const SceneTree> tree;
   std::shared_ptr<const ForestScene> scene;  // null until it is made
 
-  // Drawn by Workspace::tree_pictures
+  // Drawn by Workspace::tree_pictures; while things move perhaps in fewer pixels
   PicturePace pace;
+  PictureKey wanted;
+  double share = 1.0;  // of the width and height of `wanted`
   Texture texture;
   std::string trouble;
   const ForestScene* drawn_scene = nullptr;

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/atomic_file.h"
+#include "core/base/error.h"
 #include "core/package/reader.h"
 #include "core/photo/camera_files.h"
 #include "core/project/export.h"
+#include "core/render/gl/headless_context.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/finished_project.h"
 #include "tests/ui/workstation/hand.h"
@@ -134,6 +136,20 @@ TEST_F(ExportStep, PicturesAreOfEveryPhotosCamera) {
     EXPECT_TRUE(fs::exists(project.folder / "pictures" / name)) << name;
   }
   EXPECT_TRUE(hand.sees("export/pictures/replaces"));
+}
+
+TEST_F(ExportStep, TheTurntableIsDrawnBesideTheWindow) {
+  try {
+    const HeadlessContext context;
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  hand.workspace().export_tree.turntable_frames = 2;
+  hand.workspace().export_tree.turntable_px = {64, 48};
+  hand.frame();
+  write("turntable");
+  EXPECT_TRUE(fs::exists(project.folder / "turntable" / "frame-0001.png"));
+  EXPECT_THAT(told("turntable"), HasSubstr("2 pictures"));
 }
 
 TEST_F(ExportStep, CamerasReadBackAsTheyWere) {

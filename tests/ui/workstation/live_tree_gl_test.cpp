@@ -67,6 +67,17 @@ TEST_F(LiveTreeGl, NothingIsDrawnAnewWhileNothingChanges) {
   EXPECT_EQ(live().pace.figures.driver, "a driver");
 }
 
+TEST_F(LiveTreeGl, ASlowDriverDrawsFewerPixelsWhileTheHandMoves) {
+  const glm::ivec2 whole = live().wanted.size_px;
+  live().look.frame_ms = 1e-3;
+  hand->move_to(hand->at("preview/tree").middle());
+  hand->wheel(1.0f);
+  EXPECT_EQ(live().texture.size_px, whole / 4);
+  live().look.frame_ms = 1000.0;
+  hand->wheel(1.0f);
+  EXPECT_EQ(live().texture.size_px, whole);
+}
+
 TEST_F(LiveTreeGl, FalseColoursChangeThePicture) {
   const auto before = tree_pixels();
   live().look.colours = "levels";
