@@ -33,6 +33,11 @@ const std::vector<Shortcut>& shortcuts() {
       {"Pictures", "wheel", "zoom at the mouse"},
       {"Pictures", "middle drag, Space + drag", "move the picture"},
       {"Pictures", "Home", "show all of it"},
+      {"Preview", "drag", "turn round the tree"},
+      {"Preview", "right or middle drag, Shift + drag", "move sideways"},
+      {"Preview", "wheel", "nearer or farther"},
+      {"Preview", "T", "compare: photo or render"},
+      {"Preview", "Page Up, Page Down", "compare: another photo"},
       {"Options", "Ctrl+click", "type a number"},
       {"Options", "right click", "back to the default"},
   };

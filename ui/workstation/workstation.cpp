@@ -71,6 +71,7 @@ void draw_project(Workspace& workspace) {
 
 void draw_workstation(Workspace& workspace) {
   begin_landmarks(workspace.landmarks);
+  workspace.next_frame = NextFrame::when_heard;
   refresh(workspace);
   hear_shortcuts(workspace);
   ImGui::SetNextWindowPos({0, 0});
