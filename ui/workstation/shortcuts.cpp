@@ -42,6 +42,11 @@ const std::vector<Shortcut>& shortcuts() {
       {"Matte", "F", "next view: photo, overlay, on black, on white, matte, pure foreground"},
       {"Matte", "S", "all photos side by side, and back"},
       {"Matte", "Page Down, Page Up", "next and previous photo"},
+      {"Preview", "drag", "turn round the tree"},
+      {"Preview", "right or middle drag, Shift + drag", "move sideways"},
+      {"Preview", "wheel", "nearer or farther"},
+      {"Preview", "T", "compare: photo or render"},
+      {"Preview", "Page Up, Page Down", "compare: another photo"},
       {"Options", "Ctrl+click", "type a number"},
       {"Options", "right click", "back to the default"},
   };

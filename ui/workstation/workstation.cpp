@@ -72,6 +72,7 @@ void draw_project(Workspace& workspace) {
 
 void draw_workstation(Workspace& workspace) {
   begin_landmarks(workspace.landmarks);
+  workspace.next_frame = NextFrame::when_heard;
   refresh(workspace);
   hear_shortcuts(workspace);
   const bool away = workspace.input.focus_lost || workspace.step != WorkStep::matte;

@@ -96,9 +96,14 @@ bool Hand::wait_for(const std::function<bool()>& reached, double seconds) {
 }
 
 bool Hand::settle(double seconds) {
-  const bool ended = wait_for([&] { return workspace_->jobs.now().empty(); }, seconds);
-  frame(3);
-  return ended && (workspace_->jobs.now().empty() || settle(seconds));
+  // A job's end may start another, in the frame that installs its result or the next
+  int quiet_frames = 0;
+  return wait_for(
+      [&] {
+        quiet_frames = workspace_->jobs.at_rest() ? quiet_frames + 1 : 0;
+        return quiet_frames > 3;
+      },
+      seconds);
 }
 
 Landmark Hand::at(const std::string& landmark) {
