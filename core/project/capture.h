@@ -37,4 +37,13 @@ Capture gather_capture(const Project& project);
 // The same with the content of the camera file at hand.
 Capture gather_capture(const Project& project, const std::vector<Camera>& cameras);
 
+// The capture with these strokes, of the photos that it uses: quick, since no file is read again.
+void take_strokes(Capture& capture, const Strokes& strokes);
+
+// The names of the project's photos, sorted. Throws Error when two have the same.
+std::vector<std::string> photo_names(const Project& project);
+
+// All of the camera.
+void hash_camera(ContentHasher& hasher, const Camera& camera);
+
 }  // namespace bosk

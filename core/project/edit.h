@@ -47,6 +47,10 @@ using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStroke
 void apply(const Edit& edit, Project& project);
 void revert(const Edit& edit, Project& project);
 
+// The edit as it is kept (strokes rounded). Throws Error when it doesn't fit the project, or a name
+// in it is not valid UTF-8 and so could not be saved.
+Edit checked_edit(Edit edit, const Project& project);
+
 // For "Undo ...": "stroke on oak_03", "opacity.cell_px 3.6 to 2.8".
 std::string title(const Edit& edit);
 

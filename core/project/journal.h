@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/base/file_descriptor.h"
 #include "core/project/history.h"
 #include "core/project/project.h"
 
@@ -55,7 +54,7 @@ class JournalWriter {
   struct Syncer;
   std::filesystem::path path_;
   JournalPlace place_;
-  std::shared_ptr<Syncer> syncer_;
+  std::unique_ptr<Syncer> syncer_;
 };
 
 // A new, empty journal, for a project that has none or whose journal can't be gone on with: writes
