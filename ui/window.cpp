@@ -71,13 +71,12 @@ void Window::listen(GLFWwindow* window) {
   });
 }
 
-Window::Window(const std::string& title, const glm::ivec2& size) {
+Window::Window(const std::string& title, const glm::ivec2& size, const std::string& otherwise) {
   if (!glfwInit()) {
-    throw Error("no window can be opened: " + glfw_reason() +
-                "; set DISPLAY, or use --screenshot or --turntable, which need no display");
+    throw Error("no window can be opened: " + glfw_reason() + "; set DISPLAY, or " + otherwise);
   }
   try {
-    make_window(title, size);
+    make_window(title, size, otherwise);
     start_overlay();
   } catch (...) {
     glfwTerminate();
@@ -85,7 +84,8 @@ Window::Window(const std::string& title, const glm::ivec2& size) {
   }
 }
 
-void Window::make_window(const std::string& title, const glm::ivec2& size) {
+void Window::make_window(const std::string& title, const glm::ivec2& size,
+                         const std::string& otherwise) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -94,8 +94,8 @@ void Window::make_window(const std::string& title, const glm::ivec2& size) {
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window_) {
     throw Error("no window with OpenGL 4.5 can be opened: " + glfw_reason() +
-                "; install the graphics card's driver or Mesa's (Debian: libgl1-mesa-dri), or use "
-                "--screenshot or --turntable");
+                "; install the graphics card's driver or Mesa's (Debian: libgl1-mesa-dri), or " +
+                otherwise);
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);

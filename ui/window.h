@@ -14,8 +14,9 @@ namespace bosk {
 // a time; on the main thread.
 class Window {
  public:
-  // Throws Error, with what to do, where there is no display or no OpenGL 4.5.
-  Window(const std::string& title, const glm::ivec2& size);
+  // Throws Error where there is no display or no OpenGL 4.5, with what to do; `otherwise` is what
+  // serves without a window ("use --screenshot").
+  Window(const std::string& title, const glm::ivec2& size, const std::string& otherwise);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -47,7 +48,7 @@ class Window {
   static void wake();
 
  private:
-  void make_window(const std::string& title, const glm::ivec2& size);
+  void make_window(const std::string& title, const glm::ivec2& size, const std::string& otherwise);
   void start_overlay();
 
   // What callbacks write.

@@ -32,7 +32,7 @@ class WorkstationLoop {
  public:
   explicit WorkstationLoop(const WorkstationStart& start)
       : start_(start),
-        window_("Bosk", start.size),
+        window_("Bosk", start.size, "use Bosk's commands, see `bosk --help`"),
         workspace_(
             gl_picture_device(), [this] { wake(); }, settings_folder()) {
     const double scale = workspace_.settings.scale;

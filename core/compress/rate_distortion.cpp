@@ -163,4 +163,15 @@ std::vector<LevelRateDistortion> rate_distortion(const Billboards& billboards,
   return results;
 }
 
+OverallPsnr overall_psnr(std::span<const LevelRateDistortion> levels) {
+  double colour = 0.0, alpha = 0.0, blocks = 0.0;
+  for (const LevelRateDistortion& level : levels) {
+    const auto shown = double(level.blocks - level.pruned);
+    colour += shown * std::pow(10.0, -0.1 * level.colour_psnr_db);
+    alpha += shown * std::pow(10.0, -0.1 * level.alpha_psnr_db);
+    blocks += shown;
+  }
+  return {psnr_db(colour, blocks), psnr_db(alpha, blocks)};
+}
+
 }  // namespace bosk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -34,6 +35,13 @@ struct LevelRateDistortion {
 std::vector<LevelRateDistortion> rate_distortion(const Billboards& billboards,
                                                  const CodedTextures& textures, bool from_bc3,
                                                  Progress& progress);
+
+// One figure for all levels: their mean squared errors, each weighted by the level's blocks that
+// aren't pruned. Infinite when exact.
+struct OverallPsnr {
+  double colour_db = 0.0, alpha_db = 0.0;
+};
+OverallPsnr overall_psnr(std::span<const LevelRateDistortion> levels);
 
 // Texels of one block of a level as a renderer sees them; all zero where pruned. `atlas` is
 // atlas_rgba or what became of it.

@@ -11,22 +11,27 @@
 
 namespace bosk {
 
-// What a number of codewords costs and keeps.
+// What a number of codewords costs and keeps: colours and alphas apart, since their numbers may
+// differ.
 struct CodebookPoint {
   int codewords = 0;            // of each of the two codebooks of a level
-  double colour_psnr_db = 0.0;  // as LevelRateDistortion's, over all levels
+  double colour_psnr_db = 0.0;  // over all levels: see overall_psnr
   double alpha_psnr_db = 0.0;
-  std::size_t package_bytes = 0;  // about
+  std::size_t colour_bytes = 0, alpha_bytes = 0;  // of the package, about: indices and codewords
+  std::size_t other_bytes = 0;                    // which no number of codewords changes
+
+  std::size_t package_bytes() const { return colour_bytes + alpha_bytes + other_bytes; }
 };
 using OnCodebookPoint = std::function<void(const CodebookPoint&)>;
 
 // 16, 32, ... 4096.
 std::vector<int> usual_codeword_counts();
 
-// Rate against distortion for each of `codewords`, in that order, each told as soon as it is known.
-// Codes and packs a sample of the tree (whole subtrees from all over it) with both codebooks of
-// that size, by all other options, and scales the sample's indices up to the tree. The README says
-// how near that comes. Throws Error as compress_billboards.
+// Rate against distortion for each of `codewords`, in that order, each told as soon as it is known;
+// numbers whose codewords don't fit into the atlas are left out. Codes and packs a sample of the
+// tree (whole subtrees from all over it) with both codebooks of that size, by all other options,
+// and scales the sample's indices up to the tree. The README says how near that comes. Throws Error
+// where the billboards are damaged.
 std::vector<CodebookPoint> codebook_curve(const Billboards& billboards,
                                           const CompressOptions& options,
                                           std::span<const int> codewords, Progress& progress,

@@ -47,7 +47,7 @@ PictureDevice MemoryTextures::device() {
 }
 
 Hand::Hand(const ImVec2& size, const std::filesystem::path& settings)
-    : Hand(size, settings, HandScreen{textures_.device(), {}, {}}) {}
+    : Hand(size, settings, HandScreen{textures_.device(), {}, {}, {}}) {}
 
 Hand::Hand(const ImVec2& size, const std::filesystem::path& settings, HandScreen screen)
     : screen_(std::move(screen)) {
@@ -69,6 +69,7 @@ Hand::Hand(const ImVec2& size, const std::filesystem::path& settings, HandScreen
 
 Hand::~Hand() {
   workspace_.reset();
+  if (screen_.close) screen_.close();
   ImGui::DestroyContext();
 }
 

@@ -17,6 +17,7 @@ namespace bosk {
 struct HandScreen {
   PictureDevice device;
   std::function<void()> begin_frame, end_frame;  // around draw_workstation
+  std::function<void()> close;                   // once the workspace has gone
 };
 
 // Textures that are nowhere but in memory, for tests to look into.
