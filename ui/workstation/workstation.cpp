@@ -6,6 +6,7 @@
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/guide.h"
+#include "ui/workstation/named_paths.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -73,6 +74,7 @@ void draw_workstation(Workspace& workspace) {
   begin_landmarks(workspace.landmarks);
   refresh(workspace);
   hear_shortcuts(workspace);
+  hear_drops(workspace);
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::Begin("Bosk", nullptr,
