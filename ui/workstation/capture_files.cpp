@@ -34,7 +34,7 @@ void install(Workspace& workspace, std::uint64_t files, Gathered result) {
   if (result.capture) result.capture->strokes = workspace.project().strokes;
   workspace.capture = std::move(result.capture);
   workspace.capture_obstacle = std::move(result.obstacle);
-  workspace.seen_revision = 0;
+  workspace.seen_revision.reset();
 }
 
 }  // namespace

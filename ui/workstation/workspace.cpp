@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/project/cache.h"
+#include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/stage_run.h"
 
@@ -52,7 +53,7 @@ void install(Workspace& workspace, Made made) {
     if (stage_named(stage).is_held(made.run.results)) workspace.made[stage] = key;
   }
   apply_what_was_used(workspace, made.run);
-  workspace.seen_revision = 0;  // what is stored may have changed
+  workspace.seen_revision.reset();  // what is stored may have changed
 }
 
 void start_run(Workspace& workspace, const std::string& title, const std::string& stage,
@@ -107,6 +108,8 @@ void open_project(Workspace& workspace, const fs::path& folder) {
   auto session = std::make_unique<Session>(folder);
   close_project(workspace);
   workspace.session = std::move(session);
+  workspace.seen_revision.reset();
+  workspace.seen_files = 0;
   remember(workspace.settings, folder);
   save_settings(workspace.settings, workspace.settings_place);
   workspace.step = WorkStep::photos;
@@ -166,7 +169,7 @@ void refresh(Workspace& workspace) {
   if (workspace.running_job != 0 && !workspace.jobs.is_open(workspace.running_job)) {
     workspace.running_job = 0;
     workspace.running_stage.clear();
-    workspace.seen_revision = 0;
+    workspace.seen_revision.reset();
   }
   if (!workspace.session) return;
   const std::uint64_t revision = workspace.session->revision();
@@ -174,6 +177,15 @@ void refresh(Workspace& workspace) {
   workspace.seen_revision = revision;
   refresh_capture(workspace);
   refresh_keys(workspace);
+}
+
+float scale_of(const Workspace& workspace) {
+  return workspace.settings.scale > 0.0 ? float(workspace.settings.scale)
+                                        : workspace.screen_scale;
+}
+
+void ask_for_scale(Workspace& workspace, float scale) {
+  workspace.scale_wanted = std::clamp(scale, kLeastScale, kLargestScale);
 }
 
 StageState state_of(const Workspace& workspace, const std::string& stage) {
