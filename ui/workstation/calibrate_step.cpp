@@ -1,6 +1,6 @@
 #include "ui/workstation/calibrate_step.h"
 
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 #include <algorithm>
 
@@ -8,35 +8,25 @@
 #include "ui/workstation/calibrate_panels.h"
 #include "ui/workstation/camera_import.h"
 #include "ui/workstation/camera_measures.h"
-#include "ui/workstation/path_kinds.h"
+#include "ui/workstation/path_field.h"
 #include "ui/workstation/photo_panels.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
 namespace {
 
-constexpr float kButtonEms = 8.0f;
 constexpr float kViewShare = 0.58f;  // of the width
 
 void draw_import(Workspace& workspace) {
-  CalibrateStepState& state = workspace.calibrate;
   const bool no_photos = workspace.project().photos.empty();
-  ImGui::SetNextItemWidth(-kButtonEms * ImGui::GetFontSize());
-  const bool entered = ImGui::InputTextWithHint(
-      "##cameras", "COLMAP folder, transforms.json or .cameramodel: type, paste or drop it",
-      &state.typed, ImGuiInputTextFlags_EnterReturnsTrue);
-  mark("calibrate/path");
-  ImGui::SameLine();
-  const char* obstacle = no_photos             ? "add photos first, in step Photos"
-                         : state.typed.empty() ? "type a path first"
-                                               : "";
-  const bool pressed =
-      button("calibrate/import", "Import",
-             "matches the cameras there with the photos, and takes them", obstacle);
-  if ((entered || pressed) && *obstacle == '\0') {
-    const std::filesystem::path path = path_of_text(state.typed);
-    state.typed.clear();
-    import_cameras(workspace, path);
+  const PathField field{"calibrate/path",
+                        "COLMAP folder, transforms.json or .cameramodel: type, paste or drop it",
+                        "calibrate/import",
+                        "Import",
+                        "matches the cameras there with the photos, and takes them",
+                        no_photos ? "add photos first, in step Photos" : ""};
+  if (const auto path = draw_path_field(field, workspace.calibrate.typed)) {
+    import_cameras(workspace, *path);
   }
 }
 
@@ -45,9 +35,11 @@ void draw_state(Workspace& workspace, const std::vector<Camera>& cameras) {
   draw_notices(state.said);
   if (!state.known.trouble.empty()) paragraph(Tone::bad, state.known.trouble);
   if (cameras.empty()) return;
-  const auto without = photos_without_camera(workspace);
-  const std::size_t matched = workspace.project().photos.size() - without.size();
-  paragraph(without.empty() ? Tone::good : Tone::note, match_words(matched, without) + ".");
+  if (state.said.empty()) {
+    const auto without = photos_without_camera(workspace);
+    const std::size_t matched = workspace.project().photos.size() - without.size();
+    paragraph(without.empty() ? Tone::good : Tone::note, match_words(matched, without) + ".");
+  }
   const auto orientation = [&](const std::string& name) { return orientation_of(workspace, name); };
   const UpVerdict up = up_verdict(cameras, orientation);
   paragraph(up == UpVerdict::up ? Tone::good : Tone::bad, words_of(up));
@@ -95,6 +87,7 @@ void forget_gone(CalibrateStepState& state, const std::vector<Camera>& cameras) 
 
 void draw_calibrate_step(Workspace& workspace) {
   follow_photos(workspace);
+  follow_import(workspace);
   follow_differences(workspace);
   const std::vector<Camera> cameras = photo_cameras(workspace);
   forget_gone(workspace.calibrate, cameras);

@@ -6,6 +6,7 @@
 #include "ui/workstation/known_cameras.h"
 #include "ui/workstation/notice.h"
 #include "ui/workstation/photo_differences.h"
+#include "ui/workstation/watched_job.h"
 
 namespace bosk {
 
@@ -15,8 +16,8 @@ struct Workspace;
 struct CalibrateStepState {
   KnownToProject known;
   Notices said;
-  std::string typed;  // where cameras are
-  int import_job = 0;
+  std::string typed;     // where cameras are
+  WatchedJob import;     // of cameras
   std::string selected;  // a photo's name
   std::string through;   // the camera that one looks through; empty: from outside
   OrbitView view;

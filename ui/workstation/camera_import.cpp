@@ -40,6 +40,7 @@ Imported matched(const Project& project, const fs::path& place, Progress& progre
 
 void install(Workspace& workspace, const Imported& imported) {
   CalibrateStepState& state = workspace.calibrate;
+  state.import = {};
   state.said.clear();
   if (imported.cameras.empty()) {
     state.said.push_back({Tone::bad, imported.words});
@@ -65,7 +66,8 @@ void import_cameras(Workspace& workspace, const fs::path& place) {
     return;
   }
   state.said.push_back({Tone::busy, "Matching " + printable(place.string()) + " with the photos."});
-  state.import_job = workspace.jobs.start(
+  state.import = {};
+  state.import.id = workspace.jobs.start(
       "Importing cameras",
       [project = std::make_shared<const Project>(workspace.project()), place](Progress& progress) {
         return matched(*project, place, progress);
@@ -75,6 +77,12 @@ void import_cameras(Workspace& workspace, const fs::path& place) {
         if (same) install(workspace, imported);
       },
       Lane::interactive, "camera-import");
+}
+
+void follow_import(Workspace& workspace) {
+  CalibrateStepState& state = workspace.calibrate;
+  if (!was_stopped(state.import, workspace.jobs)) return;
+  state.said = {{Tone::note, "The import was stopped; the project's cameras are as they were."}};
 }
 
 }  // namespace bosk

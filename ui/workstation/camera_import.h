@@ -10,5 +10,7 @@ struct Workspace;
 // their camera in it, makes it the project's, in one edit. What came of it is told in the notices
 // of step Calibrate.
 void import_cameras(Workspace& workspace, const std::filesystem::path& place);
+// Tells of an import that was stopped. Once a frame.
+void follow_import(Workspace& workspace);
 
 }  // namespace bosk

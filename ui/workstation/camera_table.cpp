@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <span>
 
 #include "ui/widgets/landmarks.h"
 #include "ui/workstation/calibrate_panels.h"
@@ -27,11 +28,16 @@ constexpr Column kColumns[] = {
      "either shows; in brackets PSNR of colour and opacity"},
 };
 
-void draw_head() {
+// The last column is there where there is something to compare.
+std::span<const Column> columns(bool compared) {
+  return std::span(kColumns).first(std::size(kColumns) - (compared ? 0 : 1));
+}
+
+void draw_head(std::span<const Column> shown) {
   ImGui::TableSetupScrollFreeze(1, 1);
-  for (const Column& column : kColumns) ImGui::TableSetupColumn(column.name);
+  for (const Column& column : shown) ImGui::TableSetupColumn(column.name);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const Column& column : kColumns) {
+  for (const Column& column : shown) {
     ImGui::TableNextColumn();
     ImGui::TableHeader(column.name);
     tooltip(column.help);
@@ -40,7 +46,7 @@ void draw_head() {
 
 void draw_difference(const PhotoDifferences& differences, const std::string& name) {
   const auto found = differences.by_name.find(name);
-  if (found == differences.by_name.end()) return ImGui::TextDisabled("not compared");
+  if (found == differences.by_name.end()) return ImGui::TextDisabled("no matte");
   const PhotoResidual& residual = found->second;
   if (differences.has_colour && std::isfinite(residual.psnr_db)) {
     ImGui::Text("%.3f (%.1f dB)", residual.alpha_error, residual.psnr_db);
@@ -49,7 +55,7 @@ void draw_difference(const PhotoDifferences& differences, const std::string& nam
   }
 }
 
-void draw_row(CalibrateStepState& state, const CameraMeasures& camera) {
+void draw_row(CalibrateStepState& state, const CameraMeasures& camera, bool compared) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool selected = state.selected == camera.name;
@@ -67,6 +73,7 @@ void draw_row(CalibrateStepState& state, const CameraMeasures& camera) {
   ImGui::Text("%.2f", camera.height);
   ImGui::TableNextColumn();
   ImGui::Text("%.1f", camera.pitch_deg);
+  if (!compared) return;
   ImGui::TableNextColumn();
   draw_difference(state.differences, camera.name);
 }
@@ -79,11 +86,13 @@ void draw_camera_table(Workspace& workspace, const std::vector<Camera>& cameras)
   const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
                                 ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                 ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-  if (!ImGui::BeginTable("cameras", int(std::size(kColumns)), flags)) return;
-  draw_head();
+  const bool compared = obstacle.empty();
+  const auto shown = columns(compared);
+  if (!ImGui::BeginTable("cameras", int(shown.size()), flags)) return;
+  draw_head(shown);
   const glm::dvec3 middle = middle_of(cameras);
   for (const Camera& camera : cameras) {
-    draw_row(workspace.calibrate, measures_of(camera, middle));
+    draw_row(workspace.calibrate, measures_of(camera, middle), compared);
   }
   ImGui::EndTable();
 }

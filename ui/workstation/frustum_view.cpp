@@ -14,8 +14,9 @@
 namespace bosk {
 namespace {
 
-constexpr int kPieces = 4;        // along a photo's edge: quads are drawn without perspective
-constexpr int kGridHalf = 8;      // squares of the ground to either side
+constexpr int kPieces = 4;    // along a photo's edge: quads are drawn without perspective
+constexpr int kGridHalf = 8;  // squares of the ground to either side
+constexpr float kTextGapPx = 6.0f;
 constexpr float kClickPx = 4.0f;  // a press that moves further is a drag
 
 // The view on the screen.
@@ -33,7 +34,9 @@ struct Scene {
   }
   void text(const glm::dvec3& at, ImU32 colour, const char* words) const {
     const auto seen = seen_line(eye, at, at);
-    if (seen) draw->AddText(on_screen(seen->first), colour, words);
+    if (!seen) return;
+    const ImVec2 place = on_screen(seen->first);
+    draw->AddText({place.x + kTextGapPx, place.y}, colour, words);
   }
 };
 
@@ -50,16 +53,16 @@ void draw_ground(const Scene& scene, const glm::dvec3& middle, double step) {
 }
 
 // The world's axes at its origin, z the longest.
-void draw_axes(const Scene& scene, double step) {
+void draw_axes(const Scene& scene, double length) {
   struct Axis {
     glm::dvec3 end;
     Tone tone;
     const char* words;
     float width;
   };
-  const Axis axes[] = {{{2.0 * step, 0, 0}, Tone::muted, "x", 2.0f},
-                       {{0, 2.0 * step, 0}, Tone::muted, "y", 2.0f},
-                       {{0, 0, 4.0 * step}, Tone::good, "up (z)", 4.0f}};
+  const Axis axes[] = {{{0.5 * length, 0, 0}, Tone::muted, "x", 2.0f},
+                       {{0, 0.5 * length, 0}, Tone::muted, "y", 2.0f},
+                       {{0, 0, length}, Tone::good, "up (z)", 4.0f}};
   for (const Axis& axis : axes) {
     scene.line({0, 0, 0}, axis.end, colour_u32(axis.tone), axis.width);
     scene.text(axis.end, colour_u32(axis.tone), axis.words);
@@ -198,7 +201,7 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
 
   scene.draw->PushClipRect(scene.least, scene.most, true);
   draw_ground(scene, middle, step);
-  draw_axes(scene, step);
+  draw_axes(scene, 4.0 * depth);
   for (const std::size_t i : order) draw_frustum(workspace, scene, frusta[i]);
   draw_scale(scene, step);
   scene.draw->PopClipRect();

@@ -30,6 +30,7 @@ CamerasRead read_all(const fs::path& place, Progress& progress) {
 
 void install(KnownToProject& known, const fs::path& place, CamerasRead read) {
   if (known.place != place) return;  // another file overtook it
+  known.job = {};
   known.cameras = std::move(read.cameras);
   known.trouble = std::move(read.trouble);
   ++known.revision;
@@ -54,6 +55,9 @@ void follow_cameras(Workspace& workspace) {
   const fs::path& named = workspace.project().cameras;
   const fs::path place = named.empty() ? fs::path() : workspace.project().absolute(named);
   const auto changed = place.empty() ? fs::file_time_type{} : change_of(place);
+  if (was_stopped(known.job, workspace.jobs)) {
+    known.trouble = "reading the cameras was stopped; import them again";
+  }
   if (place == known.place && changed == known.changed) return;
   known.place = place;
   known.changed = changed;
@@ -61,7 +65,8 @@ void follow_cameras(Workspace& workspace) {
   known.trouble.clear();
   ++known.revision;
   if (place.empty()) return;
-  known.job = workspace.jobs.start(
+  known.job = {};
+  known.job.id = workspace.jobs.start(
       "Reading cameras", [place](Progress& progress) { return read_all(place, progress); },
       [&workspace, place](CamerasRead read) {
         install(workspace.calibrate.known, place, std::move(read));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/photo/camera.h"
+#include "ui/workstation/watched_job.h"
 
 namespace bosk {
 
@@ -18,7 +19,7 @@ struct KnownToProject {
   std::vector<Camera> cameras;
   std::string trouble;  // why there are none
   std::uint64_t revision = 1;
-  int job = 0;
+  WatchedJob job;
 };
 
 // Reads the file where it is another, or has changed. Once a frame by steps that show cameras.

@@ -105,6 +105,8 @@ void draw_details(const PhotoRow& row, const ShelvedPhoto& photo) {
 }  // namespace
 
 void show_photo(Workspace& workspace, const fs::path& photo) {
+  // One that was stopped on its way is asked for again
+  if (!workspace.photos.large.picture) workspace.photos.large.file.clear();
   workspace.photos.shown = photo;
   workspace.photos.view = {};
 }

@@ -76,7 +76,7 @@ Look looked(const LookRequest& request, Progress& progress) {
 }
 
 void install(PhotoShelf& shelf, Look look) {
-  shelf.job = 0;
+  shelf.job = {};
   shelf.missing = std::move(look.missing);
   shelf.to_read = look.left;
   shelf.look_wanted = look.left > 0;
@@ -107,7 +107,7 @@ void start_look(Workspace& workspace) {
   for (const auto& [file, photo] : shelf.photos) request.known[file] = photo.stamp;
   shelf.look_wanted = false;
   shelf.looked_project = workspace.session->revision() + 1;
-  shelf.job = workspace.jobs.start(
+  shelf.job.id = workspace.jobs.start(
       "Reading photos",
       [request = std::move(request)](Progress& progress) { return looked(request, progress); },
       [&workspace, folder = project.folder](Look look) {
@@ -202,18 +202,17 @@ void follow_photos(Workspace& workspace) {
   PhotoShelf& shelf = workspace.photos.shelf;
   follow_cameras(workspace);
   // A look that ended without a result was stopped: going on would defy whoever did so
-  if (shelf.job != 0 && !workspace.jobs.is_open(shelf.job)) {
-    shelf.job = 0;
+  if (was_stopped(shelf.job, workspace.jobs)) {
     shelf.stopped = true;
     ++shelf.revision;
   }
   const std::uint64_t project = workspace.session->revision() + 1;
-  if (shelf.looked_project != project && shelf.job == 0) {
+  if (shelf.looked_project != project && !shelf.job.is_at_work()) {
     shelf.look_wanted = true;
     shelf.looked_project = project;
     follow_limits(shelf, workspace.project().recipe.photo);
   }
-  if (shelf.look_wanted && !shelf.stopped && shelf.job == 0 &&
+  if (shelf.look_wanted && !shelf.stopped && !shelf.job.is_at_work() &&
       !workspace.project().photos.empty()) {
     start_look(workspace);
   }

@@ -14,6 +14,7 @@
 #include "ui/widgets/pictures.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/photo_pictures.h"
+#include "ui/workstation/watched_job.h"
 
 namespace bosk {
 
@@ -57,7 +58,7 @@ struct PhotoShelf {
   std::shared_ptr<DecoderPool> decoders;
 
   std::array<double, 3> limits{};  // of PhotoOptions, that the photos were looked through by
-  int job = 0;                     // that looks through photos now
+  WatchedJob job;                  // that looks through photos now
   bool look_wanted = true;         // files may have changed
   bool stopped = false;            // by a person, or for want of memory
   std::size_t to_read = 0;         // photos that were not looked through yet

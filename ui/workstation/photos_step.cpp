@@ -1,13 +1,13 @@
 #include "ui/workstation/photos_step.h"
 
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 #include <algorithm>
 
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/workstation/named_paths.h"
-#include "ui/workstation/path_kinds.h"
+#include "ui/workstation/path_field.h"
 #include "ui/workstation/photo_edits.h"
 #include "ui/workstation/photo_panels.h"
 #include "ui/workstation/photo_words.h"
@@ -16,46 +16,36 @@
 namespace bosk {
 namespace {
 
-constexpr float kWheelEms = 20.0f, kButtonEms = 8.0f;
-
-// A field for a path and its button; true when one of them says go.
-bool draw_path_field(const char* field, const char* hint, std::string& typed, const char* action,
-                     const char* label, const char* help) {
-  ImGui::SetNextItemWidth(-kButtonEms * ImGui::GetFontSize());
-  const bool entered = ImGui::InputTextWithHint((std::string("##") + field).c_str(), hint, &typed,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
-  mark(field);
-  ImGui::SameLine();
-  const bool pressed = button(action, label, help, typed.empty() ? "type a path first" : "");
-  return (entered || pressed) && !typed.empty();
-}
+constexpr float kWheelEms = 20.0f;
 
 void draw_adding(Workspace& workspace) {
-  PhotosStepState& state = workspace.photos;
-  if (draw_path_field("photos/path", "photo or folder: type or paste its path, or drop it here",
-                      state.typed, "photos/add", "Add", "add the photo, or all of the folder")) {
-    const std::filesystem::path path = path_of_text(state.typed);
-    state.typed.clear();
-    take_paths(workspace, {path});
+  const PathField field{"photos/path",
+                        "photo or folder: type or paste its path, or drop it here",
+                        "photos/add",
+                        "Add",
+                        "adds the photo, or all of the folder",
+                        ""};
+  if (const auto path = draw_path_field(field, workspace.photos.typed)) {
+    take_paths(workspace, {*path});
   }
 }
 
 void draw_missing(Workspace& workspace) {
   PhotosStepState& state = workspace.photos;
   const auto& rows = state.shelf.rows;
-  const auto missing = std::size_t(std::count_if(rows.begin(), rows.end(), [&](const auto& row) {
+  const auto missing = std::count_if(rows.begin(), rows.end(), [&](const PhotoRow& row) {
     return state.shelf.missing.contains(row.file);
-  }));
+  });
   if (missing == 0) return;
-  const std::string are = missing == 1 ? " is" : "s are";
-  paragraph(Tone::bad, std::to_string(missing) + " photo" + are +
+  paragraph(Tone::bad, count_of(std::size_t(missing), "photo") + (missing == 1 ? " is" : " are") +
                            " missing: type where one of them is now, or their folder.");
-  if (draw_path_field("photos/moved", "where a missing photo is now", state.moved, "photos/find",
-                      "Find", "looks for all missing photos there, by their names")) {
-    const std::filesystem::path path = path_of_text(state.moved);
-    state.moved.clear();
-    find_moved_photos(workspace, path);
-  }
+  const PathField field{"photos/moved",
+                        "where a missing photo is now",
+                        "photos/find",
+                        "Find",
+                        "looks for all missing photos there, by their names",
+                        ""};
+  if (const auto path = draw_path_field(field, state.moved)) find_moved_photos(workspace, *path);
 }
 
 void choose_left_out(PhotosStepState& state) {

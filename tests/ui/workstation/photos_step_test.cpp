@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/photo/photo_writer.h"
 #include "tests/ui/workstation/small_capture.h"
 #include "ui/widgets/keys.h"
@@ -240,6 +242,16 @@ TEST_F(PhotosStep, ReadingThatWasStoppedGoesOnOnlyWhenAsked) {
   EXPECT_EQ(row("009").word, "not read");
   hand.click("photos/look_again");
   ASSERT_TRUE(hand.settle());
+  EXPECT_TRUE(row("009").accepted);
+}
+
+TEST_F(PhotosStep, ReadingGoesOnWhereAJobEndsBetweenTwoFrames) {
+  hand.drop({capture.photos()});
+  while (workspace().jobs.is_open(state().shelf.job.id)) std::this_thread::yield();
+  follow_photos(workspace());  // before its result could be collected
+  EXPECT_FALSE(state().shelf.stopped);
+  ASSERT_TRUE(hand.settle());
+  EXPECT_FALSE(state().shelf.stopped);
   EXPECT_TRUE(row("009").accepted);
 }
 
