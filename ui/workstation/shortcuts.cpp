@@ -33,6 +33,10 @@ const std::vector<Shortcut>& shortcuts() {
       {"Pictures", "wheel", "zoom at the mouse"},
       {"Pictures", "middle drag, Space + drag", "move the picture"},
       {"Pictures", "Home", "show all of it"},
+      {"Photos", "Left, Right, Escape", "the photo before, the next, back to all"},
+      {"Photos", "Ctrl+click, Delete", "choose photos, remove those chosen"},
+      {"Cameras", "drag, wheel, middle drag", "turn the view, come nearer, move it"},
+      {"Cameras", "Home", "show all of them"},
       {"Options", "Ctrl+click", "type a number"},
       {"Options", "right click", "back to the default"},
   };
