@@ -47,6 +47,10 @@ const std::vector<Shortcut>& shortcuts() {
       {"Preview", "wheel", "nearer or farther"},
       {"Preview", "T", "compare: photo or render"},
       {"Preview", "Page Up, Page Down", "compare: another photo"},
+      {"Photos", "Left, Right, Escape", "the photo before, the next, back to all"},
+      {"Photos", "Ctrl+click, Delete", "choose photos, remove those chosen"},
+      {"Cameras", "drag, wheel, middle drag", "turn the view, come nearer, move it"},
+      {"Cameras", "Home", "show all of them"},
       {"Options", "Ctrl+click", "type a number"},
       {"Options", "right click", "back to the default"},
   };
