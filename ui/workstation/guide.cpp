@@ -77,6 +77,14 @@ StepGuide matte_guide(const Workspace& workspace) {
   return guide;
 }
 
+StepGuide package_guide(const Workspace& workspace, const std::string& next) {
+  StepGuide guide = stage_guide(workspace, "pack", "make the package");
+  if (state_of(workspace, "pack") == StageState::current && guide.tone == Tone::good) {
+    guide.next = next;
+  }
+  return guide;
+}
+
 }  // namespace
 
 std::string stage_of(WorkStep step) {
@@ -115,9 +123,10 @@ StepGuide guide_of(const Workspace& workspace, WorkStep step) {
     case WorkStep::codebook:
       return stage_guide(workspace, "compress", "train the codebooks");
     case WorkStep::preview:
-      return stage_guide(workspace, "pack", "make the package");
+      return package_guide(workspace,
+                           "look round, compare with the photos, score on held-out ones");
     case WorkStep::export_tree:
-      return stage_guide(workspace, "pack", "make the package");
+      return package_guide(workspace, "write what you need");
   }
   return {};
 }
