@@ -104,8 +104,14 @@ void draw_fast(Workspace& workspace, const PictureKey& key) {
   };
   if (state.drawn_scene != state.scene.get()) state.pace.drawn.reset();
   state.drawn_scene = state.scene.get();
+  const bool moving = state.wanted != key;
   const PictureKey now = key_for_now(state, key, workspace.input.at_rest);
+  const PicturePace before = state.pace;
   const bool drew = draw_when_changed(state.pace, now, state.look, draw);
+  if (!moving && before.drawn) {  // a sharper picture says nothing of what moving ones may cost
+    state.pace.moving_budget = before.moving_budget;
+    state.pace.moving_cost = before.moving_cost;
+  }
   if (!drew && workspace.input.at_rest) refine_at_rest(state.pace, state.look, draw);
   const bool sharper =
       state.share < 1.0 && whole_picture_ms(state.pace, key.size_px) <= kMostAtRest;
