@@ -111,9 +111,13 @@ class WorkstationLoop {
         "Saving",
         [project = workspace_.project()](Progress&) {
           save_project(project);
-          return true;
+          return project.journal;
         },
-        [](bool) {}, Lane::interactive, "save");
+        [this, folder = workspace_.project().folder](const JournalPlace& place) {
+          const bool same = workspace_.session && workspace_.project().folder == folder;
+          if (same) workspace_.session->note_saved(place);
+        },
+        Lane::interactive, "save");
   }
 
   void tell_landmarks() {

@@ -142,18 +142,6 @@ void edit(Workspace& workspace, Edit change) {
   refresh(workspace);
 }
 
-void set_recipe(Workspace& workspace, const Recipe& recipe) {
-  Recipe wanted = recipe;
-  for (const OptionGroup& group : option_groups(wanted)) {
-    for (const Option& option : group.options) {
-      const std::string name = group.stage + "." + option.name, text = value_text(option);
-      if (option_text(workspace.project().recipe, name) == text) continue;
-      workspace.session->apply(option_edit(workspace.project(), name, text));
-    }
-  }
-  refresh(workspace);
-}
-
 void undo(Workspace& workspace) {
   if (workspace.session && workspace.session->can_undo()) workspace.session->undo();
   refresh(workspace);

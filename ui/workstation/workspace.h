@@ -119,8 +119,6 @@ void close_project(Workspace& workspace);
 // The one way to change the project: applies the edit, journals it, and brings what depends on it
 // up to date.
 void edit(Workspace& workspace, Edit change);
-// Edits for every option in which the recipe differs.
-void set_recipe(Workspace& workspace, const Recipe& recipe);
 void undo(Workspace& workspace);
 void redo(Workspace& workspace);
 
