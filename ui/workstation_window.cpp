@@ -83,6 +83,9 @@ class WorkstationLoop {
     workspace_.input.keys = window_.take_typed_keys();
     workspace_.input.dropped = window_.take_dropped();
     workspace_.input.focus_lost = window_.take_focus_loss();
+    const Window::LeftButton left = window_.take_left_button();
+    workspace_.input.pressed_at = left.down;
+    workspace_.input.released_at = left.up;
     for (const glm::vec2& place : window_.take_mouse_path()) {
       workspace_.input.mouse_path.emplace_back(place.x, place.y);
     }

@@ -6,6 +6,7 @@
 #include "core/project/cache.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
+#include "ui/workstation/matte_paint.h"
 #include "ui/workstation/stage_run.h"
 
 namespace bosk {
@@ -118,6 +119,7 @@ void open_project(Workspace& workspace, const fs::path& folder) {
 
 void close_project(Workspace& workspace) {
   if (!workspace.session) return;
+  keep_stroke_in_hand(workspace);
   workspace.jobs.cancel_all();
   workspace.session->save();
   workspace.session.reset();

@@ -38,6 +38,8 @@ struct WindowInput {
   // Where the mouse was since the last frame, oldest first, in Dear ImGui's coordinates; may be
   // empty. A slow frame otherwise sees only its last place.
   std::vector<ImVec2> mouse_path;
+  // Which place of the path the left button went down or up at, the last time; none: it didn't.
+  std::optional<std::size_t> pressed_at, released_at;
   bool focus_lost = false;
   bool at_rest = false;  // nothing was heard for about a quarter of a second
 

@@ -122,18 +122,26 @@ bool Hand::sees(const std::string& landmark) const {
 bool Hand::is_enabled(const std::string& landmark) { return at(landmark).enabled; }
 
 void Hand::move_to(const ImVec2& place) {
-  ImGui::GetIO().MousePos = place;
+  ImGui::GetIO().MousePos = place_ = place;
   workspace_->input.mouse_path.push_back(place);
   frame();
 }
 
 void Hand::press(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = true;
+  if (mouse_button == 0) {
+    workspace_->input.pressed_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(place_);
+  }
   frame();
 }
 
 void Hand::release(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = false;
+  if (mouse_button == 0) {
+    workspace_->input.released_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(place_);
+  }
   frame();
 }
 
