@@ -20,7 +20,7 @@ struct VolumeSnapshot {
 
   struct Cell {
     float extinction = 0.0f;               // per cell edge
-    glm::u8vec4 srgb{128, 128, 128, 255};  // straight; a is unused
+    glm::u8vec4 srgb{128, 128, 128, 255};  // straight; a is always 255
   };
   using Brick = std::array<Cell, std::size_t(kStored* kStored* kStored)>;  // x fastest
 
