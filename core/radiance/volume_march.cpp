@@ -66,6 +66,7 @@ glm::vec4 marched(const VolumeSnapshot& volume, const March& ray) {
     for (; s < end && gathered.left > kFollowed; s += 1.0f) {
       const glm::vec3 in_brick = glm::clamp(start + ray.direction * s, 0.0f, 7.9999f);
       const glm::ivec3 inside(in_brick);
+      if (!brick->any(inside)) continue;
       gathered.add(sample_brick(*brick, in_brick - glm::vec3(inside), inside));
     }
   }

@@ -24,7 +24,7 @@ inline glm::vec4 sample_brick(const VolumeSnapshot::Brick& brick, const glm::vec
   constexpr int kRow = VolumeSnapshot::kStored, kLayer = kRow * kRow;
   constexpr int kSteps[4] = {0, kRow, kLayer, kLayer + kRow};
   const VolumeSnapshot::Cell* first =
-      &brick[std::size_t(inside.z * kLayer + inside.y * kRow + inside.x)];
+      &brick.cells[std::size_t(inside.z * kLayer + inside.y * kRow + inside.x)];
   const glm::vec3 f = fraction, g = 1.0f - fraction;
   const float across[4] = {g.y * g.z, f.y * g.z, g.y * f.z, f.y * f.z};
   Floats sum = {0.0f, 0.0f, 0.0f, 0.0f};
