@@ -18,7 +18,7 @@ struct CodebookPoint {
   double colour_psnr_db = 0.0;  // over all levels: see overall_psnr
   double alpha_psnr_db = 0.0;
   std::size_t colour_bytes = 0, alpha_bytes = 0;  // of the package, about: indices and codewords
-  std::size_t other_bytes = 0;                    // which no number of codewords changes
+  std::size_t other_bytes = 0;                    // cells and whatever else there is
 
   std::size_t package_bytes() const { return colour_bytes + alpha_bytes + other_bytes; }
 };
