@@ -20,10 +20,14 @@ void add_stage_commands(CLI::App& app, Request& request);  // matte ... pack
 void add_run_command(CLI::App& app, Request& request);
 void add_render_command(CLI::App& app, Request& request);
 void add_view_command(CLI::App& app, Request& request);
+void add_open_command(CLI::App& app, Request& request);
 void add_info_command(CLI::App& app, Request& request);
 void add_evaluate_command(CLI::App& app, Request& request);
 void add_phantom_command(CLI::App& app, Request& request);
 void add_export_command(CLI::App& app, Request& request);
+
+// What happens where no subcommand is named: the workstation's start page.
+void open_by_default(Request& request);
 
 // Adds a subcommand with the options that all have. `example` is one full command line.
 CLI::App& add_command(CLI::App& app, Request& request, const std::string& name,

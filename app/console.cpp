@@ -15,19 +15,9 @@
 namespace bosk {
 namespace {
 
-constexpr double kSteadyFraction = 0.05;  // of the job, before remaining time is told
-constexpr double kSteadySeconds = 3.0;
 constexpr auto kLineInterval = std::chrono::seconds(1);       // at least, between two lines
 constexpr auto kSameLineInterval = std::chrono::seconds(10);  // that say the same
-constexpr double kEstimateSeconds = 5.0;  // over which estimates of the time left are averaged
 constexpr int kBarCells = 24;
-
-std::string minutes(double seconds) {
-  const long whole = std::lround(seconds);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%ld:%02ld", whole / 60, whole % 60);
-  return text.data();
-}
 
 std::size_t terminal_columns() {
   struct winsize size {};
@@ -108,14 +98,9 @@ void Console::clear_bar() {
 
 std::string Console::times(double fraction) {
   const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
-  if (fraction < kSteadyFraction || spent < kSteadySeconds) return minutes(spent);
-  const double estimate = spent * (1.0 - fraction) / fraction;
-  // Counts down by itself, and turns to a new estimate within a few seconds rather than at once
-  const double since = spent - left_told_s_;
-  const double trust = left_s_ < 0.0 ? 1.0 : 1.0 - std::exp(-since / kEstimateSeconds);
-  left_s_ += trust * (estimate - left_s_) - (1.0 - trust) * std::min(since, left_s_);
-  left_told_s_ = spent;
-  return minutes(spent) + ", about " + minutes(left_s_) + " left";
+  const auto left = remaining_.update(fraction, spent);
+  if (!left) return minutes_text(spent);
+  return minutes_text(spent) + ", about " + minutes_text(*left) + " left";
 }
 
 }  // namespace bosk

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/progress.h"
+#include "core/base/remaining_time.h"
 
 namespace bosk {
 
@@ -51,8 +52,7 @@ class Console {
   Clock::time_point last_line_{};
   std::string last_what_, last_part_;
   double furthest_ = 0.0;
-  double left_s_ = -1.0;  // smoothed; negative before there is an estimate
-  double left_told_s_ = 0.0;
+  RemainingTime remaining_;
   Progress progress_;
 };
 

@@ -140,18 +140,32 @@ Json options_json(Recipe recipe) {
   return all;
 }
 
+std::size_t stroke_count(const Project& project) {
+  std::size_t count = 0;
+  for (const auto& [photo, strokes] : project.strokes) count += strokes.size();
+  return count;
+}
+
+std::string drawn_text(const Project& project) {
+  if (project.strokes.empty()) return "";
+  return "  drawn here: " + std::to_string(stroke_count(project)) + " strokes on " +
+         std::to_string(project.strokes.size()) + " photos\n";
+}
+
 void show_project(const std::string& folder, Console& console) {
   const Project project = read_project(folder);
-  const Capture capture = gather_capture(project);
+  const bool has_cameras = !project.cameras.empty();
+  const Capture capture = has_cameras ? gather_capture(project) : Capture();
   std::string text = printable(folder) + ": project with " + std::to_string(capture.photos.size()) +
                      " of " + std::to_string(project.photos.size()) + " photos in use\n" +
                      source_text("cameras", project.cameras) +
                      source_text("mattes", project.mattes) +
-                     source_text("strokes", project.scribbles);
+                     source_text("strokes", project.scribbles) + drawn_text(project);
   Json finished = Json::object();
   for (const Stage& stage : stages()) finished[stage.name] = false;
   std::string done_text;
-  for (const StageTime& time : times_spent(project, capture)) {
+  for (const StageTime& time :
+       has_cameras ? times_spent(project, capture) : std::vector<StageTime>()) {
     done_text += " " + time.stage + " (" + number_text(time.seconds, 1) + " s)";
     finished[time.stage] = true;
   }
@@ -163,6 +177,7 @@ void show_project(const std::string& folder, Console& console) {
                         {"cameras", project.cameras.generic_string()},
                         {"mattes", project.mattes.generic_string()},
                         {"scribbles", project.scribbles.generic_string()},
+                        {"strokes", stroke_count(project)},
                         {"remarks", capture.remarks},
                         {"finished", finished},
                         {"options", options_json(project.recipe)}});

@@ -20,6 +20,8 @@ namespace {
 
 constexpr const char* kAbout =
     "Bosk makes a small package that draws like a real tree out of about 24 photographs of it.\n\n"
+    "Without a command it opens the workstation, a window that leads from photographs to "
+    "package.\n\n"
     "  bosk new oak photos/*.jpg --cameras transforms.json --mattes mattes\n"
     "  bosk run oak -o oak.bosk\n"
     "  bosk render oak.bosk --cameras transforms.json -o pictures";
@@ -35,12 +37,14 @@ void add_commands(CLI::App& app, Request& request) {
   app.set_help_flag("-h,--help", "this help");
   app.set_version_flag("--version", "bosk " BOSK_VERSION);
   app.footer(kExitStatuses);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
+  open_by_default(request);
   add_new_command(app, request);
   add_stage_commands(app, request);
   add_run_command(app, request);
   add_render_command(app, request);
   add_view_command(app, request);
+  add_open_command(app, request);
   add_info_command(app, request);
   add_evaluate_command(app, request);
   add_phantom_command(app, request);

@@ -54,18 +54,38 @@ void report(const std::string& folder, const Project& project, const Capture& ca
                         {"remarks", capture.remarks}});
 }
 
+void report_photos_alone(const std::string& folder, const Project& project, Console& console) {
+  const std::string name = printable(folder);
+  console.result(name + ": project with " + std::to_string(project.photos.size()) +
+                     " photos and no cameras yet; give them with `bosk new --replace " + name +
+                     " --cameras FILE`, or in the Calibrate step of `bosk open " + name + "`\n",
+                 {{"project", folder},
+                  {"photos_given", project.photos.size()},
+                  {"photos_used", 0},
+                  {"photos", nlohmann::json::array()},
+                  {"remarks", nlohmann::json::array()}});
+}
+
+void warn_of_missing_mattes(const Project& project, Console& console) {
+  if (!project.mattes.empty() || !project.scribbles.empty() || !project.strokes.empty()) return;
+  console.warn(
+      "there are no mattes and no strokes yet, so only the photos could be read; give them with "
+      "`bosk new --replace ... --mattes DIR` or `--scribbles DIR`, or draw strokes in the Matte "
+      "step of `bosk open`");
+}
+
 ExitStatus make_new_project(const NewArguments& arguments, Console& console) {
   Recipe recipe;
   set_options(arguments.choices, recipe);
   const Project project =
       make_project(wanted_project(arguments), recipe, arguments.replace, console.progress());
+  if (project.cameras.empty()) {
+    report_photos_alone(arguments.folder, project, console);
+    return ExitStatus::done;
+  }
   ProjectWork work(project, console);
   const Run run = work.run({"photo"});
-  if (project.mattes.empty() && project.scribbles.empty()) {
-    console.warn(
-        "there are no mattes and no strokes yet, so only the photos could be read; give them with "
-        "`bosk new --replace ... --mattes DIR` or `--scribbles DIR`");
-  }
+  warn_of_missing_mattes(project, console);
   report(arguments.folder, project, work.capture(), *run.results.imported, console);
   return ExitStatus::done;
 }
@@ -73,9 +93,9 @@ ExitStatus make_new_project(const NewArguments& arguments, Console& console) {
 }  // namespace
 
 void add_new_command(CLI::App& app, Request& request) {
-  CLI::App& command =
-      add_command(app, request, "new", "make a project from photographs and their cameras",
-                  "bosk new oak photos --cameras photos/transforms.json --mattes mattes");
+  CLI::App& command = add_command(
+      app, request, "new", "make a project from photographs and, if known, their cameras",
+      "bosk new oak photos --cameras photos/transforms.json --mattes mattes");
   auto arguments = std::make_shared<NewArguments>();
   command.add_option("PROJECT", arguments->folder, "folder of the project, made when missing")
       ->required();
@@ -84,7 +104,8 @@ void add_new_command(CLI::App& app, Request& request) {
       "photos, or folders of photos (those that the camera file lists unless given)");
   command
       .add_option("--cameras", arguments->cameras,
-                  "known cameras: a COLMAP model's folder, a transforms.json, a .cameramodel or a "
+                  "known cameras, which may come later: a COLMAP model's folder, a "
+                  "transforms.json, a .cameramodel or a "
                   "folder of them; they match photos by name without ending")
       ->type_name("FILE|DIR");
   command
@@ -97,7 +118,8 @@ void add_new_command(CLI::App& app, Request& request) {
                   "grey unknown; one photo with strokes is enough")
       ->type_name("DIR");
   command.add_flag("--replace", arguments->replace,
-                   "describe an existing project anew; finished work is kept where it still fits");
+                   "describe an existing project anew; finished work and strokes drawn in the "
+                   "workstation are kept where they still fit");
   add_stage_options(command,
                     {"photo", "matte", "opacity", "radiance", "texture", "compress", "pack"},
                     arguments->choices);

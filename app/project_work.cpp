@@ -23,6 +23,8 @@ ProjectWork::ProjectWork(const std::string& folder, const StageChoices& choices,
   set_options(choices, project_.recipe);
   if (recipe_text(project_.recipe) != before) {
     lock();
+    project_ = read_project(folder);  // as it is now that nobody else may change it
+    set_options(choices, project_.recipe);
     save_project(project_);
   }
   capture_ = gather_capture(project_);

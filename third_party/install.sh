@@ -14,8 +14,8 @@ packages=(
   libzstd-dev libxxhash-dev libsquish-dev nlohmann-json3-dev
   # Drawing
   libgl-dev libopengl-dev libegl-dev libgl1-mesa-dri
-  # The viewer's window
-  libglfw3-dev libimgui-dev
+  # Windows
+  libglfw3-dev libimgui-dev fonts-dejavu-core
   # Command line
   libcli11-dev
   # Tests and benchmarks

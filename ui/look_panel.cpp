@@ -1,6 +1,6 @@
 #include <imgui.h>
 
-#include "ui/option_widget.h"
+#include "ui/widgets/option_widget.h"
 #include "ui/viewer_state.h"
 
 namespace bosk {

@@ -52,7 +52,7 @@ class Viewer {
       : scene_(scene),
         start_(start),
         say_(say),
-        window_(start.title, start.size),
+        window_(start.title, start.size, "use --screenshot or --turntable, which need no display"),
         picture_(scene, window_.driver(), OffscreenTarget::Precision::bits_16) {
     state_.options = start.options;
     state_.camera = start.camera;

@@ -10,9 +10,23 @@
 
 #include "core/base/error.h"
 #include "core/render/gl/gl_object.h"
+#include "ui/widgets/keys.h"
+#include "ui/widgets/theme.h"
 
 namespace bosk {
 namespace {
+
+static_assert(kKeySpace == GLFW_KEY_SPACE && kKeyMinus == GLFW_KEY_MINUS &&
+              kKeyEqual == GLFW_KEY_EQUAL && kKeyLeftBracket == GLFW_KEY_LEFT_BRACKET &&
+              kKeyRightBracket == GLFW_KEY_RIGHT_BRACKET && kKeyEscape == GLFW_KEY_ESCAPE &&
+              kKeyEnter == GLFW_KEY_ENTER && kKeyTab == GLFW_KEY_TAB &&
+              kKeyBackspace == GLFW_KEY_BACKSPACE && kKeyDelete == GLFW_KEY_DELETE &&
+              kKeyRight == GLFW_KEY_RIGHT && kKeyLeft == GLFW_KEY_LEFT &&
+              kKeyDown == GLFW_KEY_DOWN && kKeyUp == GLFW_KEY_UP &&
+              kKeyPageUp == GLFW_KEY_PAGE_UP && kKeyPageDown == GLFW_KEY_PAGE_DOWN &&
+              kKeyHome == GLFW_KEY_HOME && kKeyEnd == GLFW_KEY_END && kKeyF1 == GLFW_KEY_F1);
+
+constexpr std::size_t kMostMousePlaces = 4096;  // kept between two frames
 
 std::string glfw_reason() {
   const char* reason = nullptr;
@@ -24,32 +38,45 @@ std::string glfw_reason() {
 
 // Set before Dear ImGui's own callbacks, which pass events on to these.
 void Window::listen(GLFWwindow* window) {
-  const auto remember = [](GLFWwindow* of) {
-    static_cast<Heard*>(glfwGetWindowUserPointer(of))->any = true;
+  static const auto heard_by = [](GLFWwindow* of) -> Heard& {
+    return *static_cast<Heard*>(glfwGetWindowUserPointer(of));
   };
+  const auto remember = [](GLFWwindow* of) { heard_by(of).any = true; };
   static const auto note = remember;
   glfwSetWindowRefreshCallback(window, remember);
   glfwSetWindowCloseCallback(window, remember);
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { note(of); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* of, int) { note(of); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* of, int focused) {
+    note(of);
+    if (focused == 0) heard_by(of).focus_lost = true;
+  });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* of, int) { note(of); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { note(of); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
+    note(of);
+    auto& path = heard_by(of).mouse_path;
+    if (path.size() < kMostMousePlaces) path.emplace_back(x, y);
+  });
+  glfwSetDropCallback(window, [](GLFWwindow* of, int count, const char** paths) {
+    note(of);
+    auto& dropped = heard_by(of).dropped;
+    dropped.insert(dropped.end(), paths, paths + count);
+  });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { note(of); });
   glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { note(of); });
   glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
     note(of);
-    auto* heard = static_cast<Heard*>(glfwGetWindowUserPointer(of));
-    if (action == GLFW_PRESS) heard->pressed_keys.push_back(key);
+    Heard& heard = heard_by(of);
+    if (action == GLFW_PRESS) heard.pressed_keys.push_back(key);
+    if (action != GLFW_RELEASE) heard.typed_keys.push_back(key);
   });
 }
 
-Window::Window(const std::string& title, const glm::ivec2& size) {
+Window::Window(const std::string& title, const glm::ivec2& size, const std::string& otherwise) {
   if (!glfwInit()) {
-    throw Error("no window can be opened: " + glfw_reason() +
-                "; set DISPLAY, or use --screenshot or --turntable, which need no display");
+    throw Error("no window can be opened: " + glfw_reason() + "; set DISPLAY, or " + otherwise);
   }
   try {
-    make_window(title, size);
+    make_window(title, size, otherwise);
     start_overlay();
   } catch (...) {
     glfwTerminate();
@@ -57,7 +84,8 @@ Window::Window(const std::string& title, const glm::ivec2& size) {
   }
 }
 
-void Window::make_window(const std::string& title, const glm::ivec2& size) {
+void Window::make_window(const std::string& title, const glm::ivec2& size,
+                         const std::string& otherwise) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -66,8 +94,8 @@ void Window::make_window(const std::string& title, const glm::ivec2& size) {
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window_) {
     throw Error("no window with OpenGL 4.5 can be opened: " + glfw_reason() +
-                "; install the graphics card's driver or Mesa's (Debian: libgl1-mesa-dri), or use "
-                "--screenshot or --turntable");
+                "; install the graphics card's driver or Mesa's (Debian: libgl1-mesa-dri), or " +
+                otherwise);
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -133,5 +161,19 @@ void Window::draw_overlay() {
 }
 
 void Window::present() { glfwSwapBuffers(window_); }
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+float Window::content_scale() const {
+  float scale = 1.0f;
+  glfwGetWindowContentScale(window_, &scale, nullptr);
+  return std::clamp(scale, kLeastScale, kLargestScale);
+}
+
+void Window::set_theme(float scale) {
+  apply_theme(scale);
+  ImGui::GetIO().FontGlobalScale = 1.0f;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+}
 
 }  // namespace bosk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <utility>
@@ -13,8 +14,9 @@ namespace bosk {
 // a time; on the main thread.
 class Window {
  public:
-  // Throws Error, with what to do, where there is no display or no OpenGL 4.5.
-  Window(const std::string& title, const glm::ivec2& size);
+  // Throws Error where there is no display or no OpenGL 4.5, with what to do; `otherwise` is what
+  // serves without a window ("use --screenshot").
+  Window(const std::string& title, const glm::ivec2& size, const std::string& otherwise);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -28,18 +30,34 @@ class Window {
   bool wait(double seconds);
   // GLFW's numbers of the keys pressed since the last call.
   std::vector<int> take_pressed_keys() { return std::exchange(heard_.pressed_keys, {}); }
+  // The same with the repeats of keys held down.
+  std::vector<int> take_typed_keys() { return std::exchange(heard_.typed_keys, {}); }
+  std::vector<std::filesystem::path> take_dropped() { return std::exchange(heard_.dropped, {}); }
+  // Where the mouse was since the last call, oldest first: a slow frame sees only its last place.
+  std::vector<glm::vec2> take_mouse_path() { return std::exchange(heard_.mouse_path, {}); }
+  // Whether the window lost the keyboard since the last call.
+  bool take_focus_loss() { return std::exchange(heard_.focus_lost, false); }
+  // What the screen asks for: 1 at about 96 dots an inch.
+  float content_scale() const;
+  // Colours, font and spacing of the panels; not between begin_overlay and draw_overlay.
+  void set_theme(float scale);
   void begin_overlay();
   void draw_overlay();  // all that was drawn with Dear ImGui since begin_overlay
   void present();
+  // Ends a wait at once; from any thread, while a window lives.
+  static void wake();
 
  private:
-  void make_window(const std::string& title, const glm::ivec2& size);
+  void make_window(const std::string& title, const glm::ivec2& size, const std::string& otherwise);
   void start_overlay();
 
   // What callbacks write.
   struct Heard {
     bool any = false;
-    std::vector<int> pressed_keys;
+    std::vector<int> pressed_keys, typed_keys;
+    std::vector<std::filesystem::path> dropped;
+    std::vector<glm::vec2> mouse_path;
+    bool focus_lost = false;
   };
   static void listen(GLFWwindow* window);
 

@@ -52,8 +52,8 @@ void require_both_kinds(const Image<std::uint8_t>& strokes, const std::string& f
                                  : ": has no white strokes; draw some over the tree"));
 }
 
-Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
-                                       const std::string& file) {
+Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
+                                     const std::string& file) {
   const Lens& original = photo.original_camera.lens;
   require_shape(drawn, original, file);
   const Lens drawn_lens = scaled(original, drawn.width(), drawn.height());
@@ -69,6 +69,12 @@ Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const P
       strokes(x, y) = stroke_kind(drawn(int(u), int(v)));
     }
   }
+  return strokes;
+}
+
+Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
+                                       const std::string& file) {
+  Image<std::uint8_t> strokes = drawing_in_photo(drawn, photo, file);
   require_both_kinds(strokes, file);
   return strokes;
 }

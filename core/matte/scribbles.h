@@ -23,6 +23,10 @@ using Scribbles = std::map<std::string, Image<std::uint8_t>>;
 Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
                                        const std::string& file);
 
+// The same without asking for both kinds, for drawings that strokes are painted over.
+Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
+                                     const std::string& file);
+
 // Throws Error naming `file` unless there are strokes of both kinds.
 void require_both_kinds(const Image<std::uint8_t>& strokes, const std::string& file);
 

@@ -50,7 +50,9 @@ void hash_content(std::vector<SourceFile>& files) {
 std::vector<Camera> project_cameras(const Project& project) {
   if (project.cameras.empty()) {
     throw Error(printable(project.folder.string()) +
-                ": the project has no cameras; make it again with `bosk new --cameras FILE`");
+                ": the project has no cameras yet; give some with `bosk new --replace --cameras "
+                "FILE`, or in the Calibrate step of `bosk open " +
+                printable(project.folder.string()) + "`");
   }
   return read_cameras(project.absolute(project.cameras));
 }
@@ -91,6 +93,15 @@ void require_two_photos(const Project& project, const Capture& capture) {
   throw Error(message);
 }
 
+void remark_on_strokes(const Project& project, const Candidates& found, Capture& capture) {
+  for (const auto& [name, strokes] : project.strokes) {
+    if (found.photos.count(name) == 0) {
+      capture.remarks.push_back("strokes on " + printable(name) +
+                                " are not used: the project has no photo of that name");
+    }
+  }
+}
+
 }  // namespace
 
 Capture gather_capture(const Project& project) {
@@ -112,11 +123,40 @@ Capture gather_capture(const Project& project, const std::vector<Camera>& camera
     const auto strokes = found.scribbles.find(name);
     if (strokes != found.scribbles.end()) capture.scribbles.push_back({name, strokes->second, {}});
   }
+  take_strokes(capture, project.strokes);
+  remark_on_strokes(project, found, capture);
   require_two_photos(project, capture);
   hash_content(capture.photos);
   hash_content(capture.mattes);
   hash_content(capture.scribbles);
   return capture;
+}
+
+void take_strokes(Capture& capture, const Strokes& strokes) {
+  capture.strokes.clear();
+  for (const SourceFile& photo : capture.photos) {
+    const auto drawn = strokes.find(photo.name);
+    if (drawn != strokes.end() && !drawn->second.empty()) capture.strokes.insert(*drawn);
+  }
+}
+
+std::vector<std::string> photo_names(const Project& project) {
+  FilesByName files;
+  for (const fs::path& photo : project.photos) add_file(files, project.absolute(photo));
+  std::vector<std::string> names;
+  for (const auto& [name, path] : files) names.push_back(name);
+  return names;
+}
+
+void hash_camera(ContentHasher& hasher, const Camera& camera) {
+  const Lens& lens = camera.lens;
+  hasher.text(camera.name).value(int(lens.model)).value(lens.width_px).value(lens.height_px);
+  for (int i = 0; i < 2; ++i) hasher.value(lens.focal_px[i]).value(lens.principal_px[i]);
+  for (const double coefficient : lens.distortion) hasher.value(coefficient);
+  for (int i = 0; i < 3; ++i) {
+    hasher.value(camera.camera_from_world.translation[i]);
+    for (int k = 0; k < 3; ++k) hasher.value(camera.camera_from_world.rotation[i][k]);
+  }
 }
 
 }  // namespace bosk

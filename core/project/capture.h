@@ -26,14 +26,24 @@ struct Capture {
   std::vector<Camera> cameras;
   std::vector<SourceFile> mattes;     // one for each photo, or none at all
   std::vector<SourceFile> scribbles;  // for some of the photos
+  Strokes strokes;                    // drawn on some of the photos; they go over `scribbles`
   std::set<std::string> left_out;     // names of photos that no stage after import may see
   std::vector<std::string> remarks;   // one sentence for each file of the project that is not used
 };
 
-// Reads the camera file and the content of every source file. Throws Error when fewer than two
-// photos are left, naming why.
+// Reads the camera file and the content of every source file. Throws Error when the project has no
+// cameras yet, or when fewer than two photos are left, naming why.
 Capture gather_capture(const Project& project);
 // The same with the content of the camera file at hand.
 Capture gather_capture(const Project& project, const std::vector<Camera>& cameras);
+
+// The capture with these strokes, of the photos that it uses: quick, since no file is read again.
+void take_strokes(Capture& capture, const Strokes& strokes);
+
+// The names of the project's photos, sorted. Throws Error when two have the same.
+std::vector<std::string> photo_names(const Project& project);
+
+// All of the camera.
+void hash_camera(ContentHasher& hasher, const Camera& camera);
 
 }  // namespace bosk

@@ -10,8 +10,9 @@ namespace {
 bool has_strokes(const Capture& capture, const std::string& name) {
   const auto& files = capture.scribbles;
   return capture.mattes.empty() &&
-         std::any_of(files.begin(), files.end(),
-                     [&](const SourceFile& file) { return file.name == name; });
+         (capture.strokes.count(name) > 0 ||
+          std::any_of(files.begin(), files.end(),
+                      [&](const SourceFile& file) { return file.name == name; }));
 }
 
 }  // namespace

@@ -90,6 +90,18 @@ Image<std::uint8_t> grey_of(const DecodedPhoto& drawn) {
   return grey;
 }
 
+Image<std::uint8_t> drawing_of(const SourceFile& file, const Photo& photo,
+                               const DecodeLimits& limits, const Progress& progress) {
+  const DecodedPhoto drawn = decode_photo(file.path, limits, progress);
+  return drawing_in_photo(grey_of(drawn), photo, printable(file.path.string()));
+}
+
+bool is_unknown(const Image<std::uint8_t>& scribbles) {
+  const auto& pixels = scribbles.pixels();
+  return std::all_of(pixels.begin(), pixels.end(),
+                     [](std::uint8_t value) { return value == kNoStroke; });
+}
+
 }  // namespace
 
 Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
@@ -106,15 +118,20 @@ Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
   return mattes;
 }
 
-Scribbles import_scribbles(const std::vector<SourceFile>& files, const Photos& photos,
-                           const DecodeLimits& limits, Progress& progress) {
+Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
+                           const Photos& photos, const DecodeLimits& limits, Progress& progress) {
   Scribbles scribbles;
   for (const Photo& photo : photos) {
+    progress.check();
     const SourceFile* file = file_named(files, photo.name);
-    if (file == nullptr) continue;
-    const DecodedPhoto drawn = decode_photo(file->path, limits, progress);
-    scribbles[photo.name] =
-        scribbles_in_photo(grey_of(drawn), photo, printable(file->path.string()));
+    const auto drawn = strokes.find(photo.name);
+    Image<std::uint8_t> known;
+    if (file != nullptr) known = drawing_of(*file, photo, limits, progress);
+    if (drawn != strokes.end()) paint_strokes(drawn->second, photo, known);
+    if (known.empty() || (file == nullptr && is_unknown(known))) continue;
+    require_both_kinds(known, drawn == strokes.end() ? printable(file->path.string())
+                                                     : "photo " + printable(photo.name));
+    scribbles[photo.name] = std::move(known);
   }
   return scribbles;
 }

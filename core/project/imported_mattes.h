@@ -17,8 +17,10 @@ namespace bosk {
 Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
                      const DecodeLimits& limits, Progress& progress);
 
-// Strokes of those photos that have some, in the photos' working pixels.
-Scribbles import_scribbles(const std::vector<SourceFile>& files, const Photos& photos,
-                           const DecodeLimits& limits, Progress& progress);
+// Of those photos that have some, in the photos' working pixels: what the files say, with the
+// strokes painted over. A photo of whose strokes nothing is left is not in it. Throws Error naming
+// the file or photo that can't be read, doesn't fit or lacks one kind of stroke.
+Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
+                           const Photos& photos, const DecodeLimits& limits, Progress& progress);
 
 }  // namespace bosk

@@ -9,7 +9,9 @@
 #include "core/base/system_error.h"
 #include "core/photo/camera_files.h"
 #include "core/photo/decode.h"
+#include "core/project/camera_choice.h"
 #include "core/project/capture.h"
+#include "core/project/lock.h"
 
 namespace bosk {
 namespace fs = std::filesystem;
@@ -66,13 +68,6 @@ Paths expanded(const Paths& named) {
   return photos;
 }
 
-// Relative to the project, so that both move together.
-fs::path from_project(const fs::path& path, const fs::path& project) {
-  if (path.empty()) return path;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path));
-  return place.lexically_relative(fs::weakly_canonical(fs::absolute(project)));
-}
-
 // The one folder that all the files lie in; empty when there is none.
 fs::path common_folder(const Paths& files) {
   std::set<fs::path> folders;
@@ -113,49 +108,70 @@ void check_named(const NewProject& wanted, bool replace) {
     throw Error(printable(wanted.folder.string()) +
                 ": holds a project already; choose another folder, or give --replace");
   }
-  if (wanted.cameras.empty()) {
-    throw Error(
-        "no cameras given; add --cameras with a COLMAP model, a transforms.json or a "
-        ".cameramodel");
-  }
   require_existence(wanted.cameras);
   require_folder(wanted.mattes, "mattes");
   require_folder(wanted.scribbles, "strokes");
 }
 
-struct KnownCameras {
-  CameraFile file;
-  bool completed = false;  // with sizes of photos, so that the file alone is not enough
-};
-
-KnownCameras known_cameras(const fs::path& path, const Progress& progress) {
-  KnownCameras known;
-  known.file = read_camera_file(path, [&](const fs::path& image) -> std::optional<glm::ivec2> {
-    const DecodedPhoto photo = decode_photo(image, {}, progress);
-    known.completed = true;
-    return glm::ivec2(photo.width_px, photo.height_px);
-  });
-  return known;
+// The project that is made anew, where it can be read: its photos and strokes are of use.
+Project earlier_project(const fs::path& folder) {
+  try {
+    if (holds_project(folder)) return read_project(folder);
+  } catch (const Error&) {
+    // Being made anew is the remedy for it
+  }
+  return {};
 }
 
-Project planned_project(const NewProject& wanted, const CameraFile& cameras,
-                        const Progress& progress) {
-  const Paths photos = wanted.photos.empty() ? existing(cameras.images) : expanded(wanted.photos);
-  if (photos.empty()) {
-    throw Error("no photos given, and " + printable(wanted.cameras.string()) +
-                " lists none that exist; name the photos or their folder");
-  }
-  const bool none_given = wanted.mattes.empty() && wanted.scribbles.empty();
-  const fs::path mattes = none_given ? found_mattes(cameras, photos, progress) : wanted.mattes;
+KnownCameras cameras_of(const NewProject& wanted, const Paths& photos, const Progress& progress) {
+  return wanted.cameras.empty() ? KnownCameras() : known_cameras(wanted.cameras, photos, progress);
+}
 
+Paths chosen_photos(const Paths& named, const CameraFile& cameras, const Project& earlier) {
+  if (!named.empty()) return named;
+  Paths photos = existing(cameras.images);
+  if (photos.empty()) {
+    for (const fs::path& photo : earlier.photos) photos.push_back(earlier.absolute(photo));
+  }
+  return photos;
+}
+
+void require_photos(const NewProject& wanted, const Paths& photos) {
+  if (!photos.empty()) return;
+  throw Error(wanted.cameras.empty()
+                  ? "no photos given; name the photos or their folder"
+                  : "no photos given, and " + printable(wanted.cameras.string()) +
+                        " lists none that exist; name the photos or their folder");
+}
+
+// Strokes on photos that the project still has.
+Strokes kept_strokes(const Strokes& strokes, const Project& project) {
+  Strokes kept;
+  for (const std::string& name : photo_names(project)) {
+    const auto drawn = strokes.find(name);
+    if (drawn != strokes.end()) kept.insert(*drawn);
+  }
+  return kept;
+}
+
+Project planned_project(const NewProject& wanted, const CameraFile& cameras, const Paths& photos,
+                        const Progress& progress) {
+  const bool none_given = wanted.mattes.empty() && wanted.scribbles.empty();
   Project project;
   project.folder = wanted.folder;
-  for (const fs::path& photo : photos) project.photos.push_back(from_project(photo, wanted.folder));
+  for (const fs::path& photo : photos) project.photos.push_back(project.relative(photo));
   std::sort(project.photos.begin(), project.photos.end());
-  project.cameras = from_project(wanted.cameras, wanted.folder);
-  project.mattes = from_project(mattes, wanted.folder);
-  project.scribbles = from_project(wanted.scribbles, wanted.folder);
+  project.cameras = project.relative(wanted.cameras);
+  project.mattes =
+      project.relative(none_given ? found_mattes(cameras, photos, progress) : wanted.mattes);
+  project.scribbles = project.relative(wanted.scribbles);
   return project;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw system_error(folder, "created", failure.value());
 }
 
 }  // namespace
@@ -163,15 +179,21 @@ Project planned_project(const NewProject& wanted, const CameraFile& cameras,
 Project make_project(const NewProject& wanted, const Recipe& recipe, bool replace,
                      const Progress& progress) {
   check_named(wanted, replace);
-  const KnownCameras known = known_cameras(wanted.cameras, progress);
-  Project project = planned_project(wanted, known.file, progress);
+  std::optional<ProjectLock> lock;
+  if (holds_project(wanted.folder)) lock.emplace(wanted.folder);
+  const Project earlier = earlier_project(wanted.folder);
+  const Paths named = expanded(wanted.photos);
+  const KnownCameras known = cameras_of(wanted, named, progress);
+  const Paths photos = chosen_photos(named, known.file, earlier);
+  require_photos(wanted, photos);
+
+  Project project = planned_project(wanted, known.file, photos, progress);
   project.recipe = recipe;
   if (project.recipe.pack.name.empty()) project.recipe.pack.name = project.name();
-  gather_capture(project, known.file.cameras);
+  project.strokes = kept_strokes(earlier.strokes, project);
+  if (!wanted.cameras.empty()) gather_capture(project, known.file.cameras);
 
-  std::error_code failure;
-  fs::create_directories(wanted.folder, failure);
-  if (failure) throw system_error(wanted.folder, "created", failure.value());
+  make_folder(wanted.folder);
   if (known.completed) {
     project.cameras = "cameras.json";
     write_cameras(known.file.cameras, "transforms", project.absolute(project.cameras));

@@ -15,26 +15,6 @@ using Keys = std::map<std::string, ContentHash>;
 
 constexpr int kEntriesKept = 4;  // of each stage: the latest, and those of a few settings before
 
-Keys stage_keys(const Capture& capture, const Recipe& recipe) {
-  Keys keys;
-  Recipe copy = recipe;
-  for (const Stage& stage : stages()) {
-    ContentHasher hasher;
-    hasher.text(stage.name).value(stage.version);
-    if (stage.options) {
-      for (const Option& option : stage.options(copy)) {
-        hasher.text(option.name).text(value_text(option));
-      }
-    }
-    for (const std::string& input : stage.inputs) {
-      hasher.value(keys.at(input).high).value(keys.at(input).low);
-    }
-    if (stage.hash_sources) stage.hash_sources(hasher, capture);
-    keys[stage.name] = hasher.finish();
-  }
-  return keys;
-}
-
 // The watchers, and where they stop a stage before its end: the iteration, into the recipe that the
 // run goes on with. The recipe must outlive them.
 RunWatchers noting_stops(const RunWatchers& watchers, Recipe& recipe) {
@@ -61,7 +41,7 @@ RunWatchers noting_stops(const RunWatchers& watchers, Recipe& recipe) {
 class Runner {
  public:
   Runner(const Project& project, const Capture& capture, const std::vector<std::string>& wanted,
-         Progress& progress, Share share, const RunWatchers& watchers)
+         Progress& progress, Share share, const RunWatchers& watchers, const Results& known)
       : capture_(capture),
         keys_(stage_keys(capture, project.recipe)),
         cache_(project.cache_folder()),
@@ -70,6 +50,7 @@ class Runner {
         share_(share),
         watchers_(noting_stops(watchers, run_.recipe)) {
     run_.recipe = project.recipe;
+    run_.results = known;
     for (const std::string& stage : wanted) plan(stage_named(stage));
   }
 
@@ -85,6 +66,7 @@ class Runner {
  private:
   // Finds what will have to be computed, as far as the cache's file names tell.
   void plan(const Stage& stage) {
+    if (stage.is_held(run_.results)) return;
     if (cache_.contains(stage.name, keys_.at(stage.name))) return;
     if (!to_compute_.insert(stage.name).second) return;
     total_share_ += stage.share;
@@ -180,6 +162,26 @@ class Runner {
 
 }  // namespace
 
+std::map<std::string, ContentHash> stage_keys(const Capture& capture, const Recipe& recipe) {
+  Keys keys;
+  Recipe copy = recipe;
+  for (const Stage& stage : stages()) {
+    ContentHasher hasher;
+    hasher.text(stage.name).value(stage.version);
+    if (stage.options) {
+      for (const Option& option : stage.options(copy)) {
+        hasher.text(option.name).text(value_text(option));
+      }
+    }
+    for (const std::string& input : stage.inputs) {
+      hasher.value(keys.at(input).high).value(keys.at(input).low);
+    }
+    if (stage.hash_sources) stage.hash_sources(hasher, capture);
+    keys[stage.name] = hasher.finish();
+  }
+  return keys;
+}
+
 ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::string& stage) {
   return stage_keys(capture, recipe).at(stage);
 }
@@ -202,8 +204,8 @@ std::vector<StageTime> times_spent(const Project& project, const Capture& captur
 
 Run run_stages(const Project& project, const Capture& capture,
                const std::vector<std::string>& wanted, Progress& progress, Share share,
-               const RunWatchers& watchers) {
-  return Runner(project, capture, wanted, progress, share, watchers).run();
+               const RunWatchers& watchers, const Results& known) {
+  return Runner(project, capture, wanted, progress, share, watchers, known).run();
 }
 
 }  // namespace bosk

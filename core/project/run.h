@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Run {
 
 // The key of a stage's result: its inputs' content, its options and its version. Paths and times
 // are no part of it.
+std::map<std::string, ContentHash> stage_keys(const Capture& capture, const Recipe& recipe);
 ContentHash stage_key(const Capture& capture, const Recipe& recipe, const std::string& stage);
 
 // Whether the result lies in the cache (its content is checked only when it is loaded).
@@ -48,8 +50,10 @@ struct Share {
 // A stage that its watcher ends after iteration n goes into the cache as the result of
 // `stop_after=n`, which gives the same bytes; the stages behind it go on from there. Ended after
 // the last iteration it is simply finished.
+//
+// `known`: results that are held already, made from just this capture and recipe.
 Run run_stages(const Project& project, const Capture& capture,
                const std::vector<std::string>& wanted, Progress& progress, Share share = {},
-               const RunWatchers& watchers = {});
+               const RunWatchers& watchers = {}, const Results& known = {});
 
 }  // namespace bosk

@@ -57,14 +57,25 @@ void hash_files(ContentHasher& hasher, const std::vector<SourceFile>& files) {
   }
 }
 
-void hash_camera(ContentHasher& hasher, const Camera& camera) {
-  const Lens& lens = camera.lens;
-  hasher.text(camera.name).value(int(lens.model)).value(lens.width_px).value(lens.height_px);
-  for (int i = 0; i < 2; ++i) hasher.value(lens.focal_px[i]).value(lens.principal_px[i]);
-  for (const double coefficient : lens.distortion) hasher.value(coefficient);
-  for (int i = 0; i < 3; ++i) {
-    hasher.value(camera.camera_from_world.translation[i]);
-    for (int k = 0; k < 3; ++k) hasher.value(camera.camera_from_world.rotation[i][k]);
+const char* name_of(StrokeKind kind) {
+  if (kind == StrokeKind::erase) return "erase";
+  return kind == StrokeKind::foreground ? "foreground" : "background";
+}
+
+void hash_strokes(ContentHasher& hasher, const std::vector<Stroke>& strokes) {
+  hasher.value(std::uint64_t(strokes.size()));
+  for (const Stroke& stroke : strokes) {
+    hasher.text(name_of(stroke.kind)).value(stroke.radius_px).array(stroke.points_px);
+  }
+}
+
+// Adds nothing where there are none, so that captures without strokes keep the keys they had.
+void hash_strokes(ContentHasher& hasher, const Capture& capture) {
+  if (!capture.mattes.empty()) return;
+  for (const auto& [name, strokes] : capture.strokes) {
+    if (capture.left_out.count(name) > 0) continue;
+    hasher.text(name);
+    hash_strokes(hasher, strokes);
   }
 }
 
@@ -132,13 +143,14 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
                    Progress& progress) {
   const DecodeLimits limits = decode_limits(recipe.photo);
   if (!capture.mattes.empty()) return import_mattes(capture.mattes, photos, limits, progress);
-  if (capture.scribbles.empty()) {
+  if (capture.scribbles.empty() && capture.strokes.empty()) {
     throw Error(
         "the project has neither mattes nor strokes; name a folder of either with "
-        "`bosk new --replace`");
+        "`bosk new --replace`, or draw strokes in the Matte step of `bosk open`");
   }
-  return matte_photos(photos, import_scribbles(capture.scribbles, photos, limits, progress),
-                      recipe.matte, progress);
+  const Scribbles scribbles =
+      import_scribbles(capture.scribbles, capture.strokes, photos, limits, progress);
+  return matte_photos(photos, scribbles, recipe.matte, progress);
 }
 
 Stage matte_stage() {
@@ -149,6 +161,7 @@ Stage matte_stage() {
     hash_left_out(hasher, capture);
     hash_files(hasher, kept(capture.mattes, capture.left_out));
     hash_files(hasher, kept(capture.scribbles, capture.left_out));
+    hash_strokes(hasher, capture);
   };
   stage.compute = [](const Capture& capture, const Recipe& recipe, Results& results,
                      Progress& progress, const RunWatchers&) {

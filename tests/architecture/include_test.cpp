@@ -108,6 +108,15 @@ TEST(Architecture, TheWindowIsTheUisAlone) {
   }
 }
 
+TEST(Architecture, PanelsKnowNeitherWindowSystemNorOpenGl) {
+  static const std::regex window(R"rx(glfw|^GL/|^EGL/|OpenGL|^backends/)rx", std::regex::icase);
+  for (const std::string folder : {"ui/workstation", "ui/widgets"}) {
+    for (const Include& include : includes_below(folder)) {
+      EXPECT_FALSE(std::regex_search(include.target, window)) << place(include);
+    }
+  }
+}
+
 TEST(Architecture, TheWorkstationDoesNotIncludeTheProgram) {
   for (const Include& include : includes_below("ui")) {
     EXPECT_FALSE(starts_with(include.target, "app/")) << place(include);

@@ -1,4 +1,4 @@
-#include "ui/option_widget.h"
+#include "ui/widgets/option_widget.h"
 
 #include <imgui.h>
 

@@ -1,0 +1,204 @@
+#include "core/matte/strokes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/matte/scribbles.h"
+
+namespace bosk {
+namespace {
+
+using glm::dvec2;
+
+constexpr int kTilePx = 16;  // edge of the squares of working pixels that are passed over whole
+constexpr std::size_t kRunPoints = 16;  // points that share a box
+
+// Never -0, which would be another stroke to a hash.
+double rounded(double number) { return std::round(number / kStrokeStepPx) * kStrokeStepPx + 0.0; }
+
+double checked(double number, double minimum, double maximum, const char* what) {
+  if (number >= minimum && number <= maximum) return rounded(number);  // false for NaN
+  throw Error(std::string("a stroke's ") + what + " is out of range; draw it again");
+}
+
+// Part of a stroke's line: a polyline of its own, in the photo as taken.
+struct Run {
+  std::span<const dvec2> points;
+  double radius_px = 0.0;
+  std::uint8_t value = kNoStroke;
+  dvec2 low{0.0}, high{0.0};  // box around all that is within the radius
+};
+
+std::uint8_t value_of(StrokeKind kind) {
+  if (kind == StrokeKind::erase) return kNoStroke;
+  return kind == StrokeKind::foreground ? kForegroundStroke : kBackgroundStroke;
+}
+
+Run run_of(const Stroke& stroke, std::span<const dvec2> points) {
+  Run run{points, stroke.radius_px, value_of(stroke.kind), points.front(), points.front()};
+  for (const dvec2& point : points) {
+    run.low = glm::min(run.low, point);
+    run.high = glm::max(run.high, point);
+  }
+  run.low -= stroke.radius_px;
+  run.high += stroke.radius_px;
+  return run;
+}
+
+// Neighbours share a point, so that no segment is lost.
+void add_runs(const Stroke& stroke, std::vector<Run>& runs) {
+  const std::span<const dvec2> points(stroke.points_px);
+  if (points.empty()) return;
+  for (std::size_t first = 0; first == 0 || first + 1 < points.size(); first += kRunPoints - 1) {
+    runs.push_back(
+        run_of(stroke, points.subspan(first, std::min(kRunPoints, points.size() - first))));
+  }
+}
+
+double squared_distance(const dvec2& place, const dvec2& from, const dvec2& to) {
+  const dvec2 along = to - from, offset = place - from;
+  const double length2 = glm::dot(along, along);
+  const double share =
+      length2 > 0.0 ? std::clamp(glm::dot(offset, along) / length2, 0.0, 1.0) : 0.0;
+  const dvec2 rest = offset - share * along;
+  return glm::dot(rest, rest);
+}
+
+bool covers(const Run& run, const dvec2& place) {
+  if (place.x < run.low.x || place.y < run.low.y || place.x > run.high.x || place.y > run.high.y) {
+    return false;
+  }
+  const double radius2 = run.radius_px * run.radius_px;
+  if (run.points.size() == 1)
+    return squared_distance(place, run.points[0], run.points[0]) <= radius2;
+  for (std::size_t i = 1; i < run.points.size(); ++i) {
+    if (squared_distance(place, run.points[i - 1], run.points[i]) <= radius2) return true;
+  }
+  return false;
+}
+
+// Where a working pixel lies in the photo as taken; none outside of it.
+std::optional<dvec2> original_place(const Photo& photo, const dvec2& pixel) {
+  const Lens& working = photo.camera.lens;
+  const Lens& original = photo.original_camera.lens;
+  const glm::dvec3 direction((pixel - working.principal_px) / working.focal_px, 1.0);
+  const auto place = pixel_from_camera(original, direction);
+  if (!place || place->x < -0.5 || place->y < -0.5 || place->x >= original.width_px - 0.5 ||
+      place->y >= original.height_px - 0.5) {
+    return std::nullopt;
+  }
+  return place;
+}
+
+struct Tile {
+  int x = 0, y = 0, end_x = 0, end_y = 0;  // working pixels
+  // Circle in the photo as taken that holds all of the tile.
+  dvec2 centre{0.0};
+  double radius_px = std::numeric_limits<double>::infinity();
+};
+
+// From nine places of the tile; where a lens gives one of them no answer, the tile counts as
+// everywhere. Over so few pixels a lens is nearly linear: a quarter more than the furthest of the
+// nine is plenty.
+Tile tile_at(int x, int y, const Photo& photo) {
+  const Lens& working = photo.camera.lens;
+  Tile tile;
+  tile.x = x;
+  tile.y = y;
+  tile.end_x = std::min(x + kTilePx, working.width_px);
+  tile.end_y = std::min(y + kTilePx, working.height_px);
+  const auto place = [&](int i, int k) {
+    const dvec2 pixel(tile.x + 0.5 * i * (tile.end_x - 1 - tile.x),
+                      tile.y + 0.5 * k * (tile.end_y - 1 - tile.y));
+    return pixel_from_camera(photo.original_camera.lens,
+                             {(pixel - working.principal_px) / working.focal_px, 1.0});
+  };
+  const auto centre = place(1, 1);
+  if (!centre) return tile;
+  double furthest = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    const auto there = place(i % 3, i / 3);
+    if (!there) return tile;
+    furthest = std::max(furthest, glm::distance(*there, *centre));
+  }
+  tile.centre = *centre;
+  tile.radius_px = 1.25 * furthest + 1.0;
+  return tile;
+}
+
+bool may_touch(const Run& run, const Tile& tile) {
+  const dvec2 nearest = glm::clamp(tile.centre, run.low, run.high);
+  const dvec2 offset = nearest - tile.centre;
+  return glm::dot(offset, offset) <= tile.radius_px * tile.radius_px;
+}
+
+// The tile's pixels that no later stroke has decided yet.
+struct OpenPixel {
+  int x = 0, y = 0;
+  dvec2 place{0.0};
+};
+
+std::vector<OpenPixel> pixels_of(const Tile& tile, const Photo& photo) {
+  std::vector<OpenPixel> pixels;
+  pixels.reserve(kTilePx * kTilePx);
+  for (int y = tile.y; y < tile.end_y; ++y) {
+    for (int x = tile.x; x < tile.end_x; ++x) {
+      if (const auto place = original_place(photo, {x, y})) pixels.push_back({x, y, *place});
+    }
+  }
+  return pixels;
+}
+
+// The last stroke first: what it covers needs no look at those before it.
+void paint_tile(const Tile& tile, const std::vector<Run>& runs, const Photo& photo,
+                Image<std::uint8_t>& scribbles) {
+  std::optional<std::vector<OpenPixel>> open;
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    if (!may_touch(*run, tile)) continue;
+    if (!open) open = pixels_of(tile, photo);
+    if (open->empty()) return;
+    std::erase_if(*open, [&](const OpenPixel& pixel) {
+      if (!covers(*run, pixel.place)) return false;
+      scribbles(pixel.x, pixel.y) = run->value;
+      return true;
+    });
+  }
+}
+
+}  // namespace
+
+Stroke rounded_stroke(Stroke stroke) {
+  if (stroke.points_px.empty() || stroke.points_px.size() > kMaxStrokePoints) {
+    throw Error("a stroke has " + std::to_string(stroke.points_px.size()) + " points; 1 to " +
+                std::to_string(kMaxStrokePoints) + " are possible");
+  }
+  stroke.radius_px = checked(stroke.radius_px, kStrokeStepPx, kMaxStrokeRadiusPx, "radius");
+  for (dvec2& point : stroke.points_px) {
+    for (int i = 0; i < 2; ++i) {
+      point[i] = checked(point[i], -kMaxStrokePlacePx, kMaxStrokePlacePx, "place");
+    }
+  }
+  return stroke;
+}
+
+void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
+                   Image<std::uint8_t>& scribbles) {
+  const Lens& working = photo.camera.lens;
+  if (scribbles.empty()) scribbles = {working.width_px, working.height_px, kNoStroke};
+  assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
+  std::vector<Run> runs;
+  for (const Stroke& stroke : strokes) add_runs(stroke, runs);
+  for (int y = 0; y < working.height_px; y += kTilePx) {
+    for (int x = 0; x < working.width_px; x += kTilePx) {
+      paint_tile(tile_at(x, y, photo), runs, photo, scribbles);
+    }
+  }
+}
+
+}  // namespace bosk

@@ -1,0 +1,158 @@
+#include "core/project/edit_bytes.h"
+
+#include <cmath>
+
+#include "core/base/binary.h"
+#include "core/base/error.h"
+
+namespace bosk {
+namespace fs = std::filesystem;
+namespace {
+
+using Paths = std::vector<fs::path>;
+
+std::int32_t steps(double px) { return std::int32_t(std::lround(px / kStrokeStepPx)); }
+double pixels(std::int32_t steps) { return steps * kStrokeStepPx; }
+
+void write(BinaryWriter& writer, const Paths& paths) {
+  writer.value(std::uint64_t(paths.size()));
+  for (const fs::path& path : paths) writer.text(path.string());
+}
+
+void write(BinaryWriter& writer, const Stroke& stroke) {
+  writer.value(stroke.kind);
+  writer.value(steps(stroke.radius_px));
+  std::vector<glm::ivec2> places;
+  places.reserve(stroke.points_px.size());
+  for (const glm::dvec2& point : stroke.points_px) {
+    places.emplace_back(steps(point.x), steps(point.y));
+  }
+  writer.array(places);
+}
+
+void write(BinaryWriter& writer, const SetOption& edit) {
+  writer.text(edit.name);
+  writer.text(edit.before);
+  writer.text(edit.after);
+}
+void write(BinaryWriter& writer, const SetPhotos& edit) {
+  write(writer, edit.before);
+  write(writer, edit.after);
+}
+void write(BinaryWriter& writer, const SetFiles& edit) {
+  writer.value(edit.which);
+  writer.text(edit.before.string());
+  writer.text(edit.after.string());
+}
+void write(BinaryWriter& writer, const AddStroke& edit) {
+  writer.text(edit.photo);
+  write(writer, edit.stroke);
+}
+void write(BinaryWriter& writer, const ClearStrokes& edit) {
+  writer.text(edit.photo);
+  writer.value(std::uint64_t(edit.before.size()));
+  for (const Stroke& stroke : edit.before) write(writer, stroke);
+}
+
+// One of an enumeration's first `count` values.
+template <class Kind>
+Kind read_kind(BinaryReader& reader, std::uint8_t count) {
+  const auto value = reader.value<std::uint8_t>();
+  if (value >= count) throw Error("there is no such kind");
+  return Kind(value);
+}
+
+// The count is believed only as far as the bytes go: each item takes some.
+Paths read_paths(BinaryReader& reader) {
+  Paths paths;
+  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
+    paths.emplace_back(reader.text());
+  }
+  return paths;
+}
+
+Stroke read_stroke(BinaryReader& reader) {
+  Stroke stroke;
+  stroke.kind = read_kind<StrokeKind>(reader, 3);
+  stroke.radius_px = pixels(reader.value<std::int32_t>());
+  const auto places = reader.array<glm::ivec2>();
+  stroke.points_px.reserve(places.size());
+  for (const glm::ivec2& place : places) {
+    stroke.points_px.emplace_back(pixels(place.x), pixels(place.y));
+  }
+  return rounded_stroke(std::move(stroke));
+}
+
+SetOption read_option(BinaryReader& reader) {
+  SetOption edit;
+  edit.name = reader.text();
+  edit.before = reader.text();
+  edit.after = reader.text();
+  return edit;
+}
+
+SetPhotos read_photo_places(BinaryReader& reader) {
+  SetPhotos edit;
+  edit.before = read_paths(reader);
+  edit.after = read_paths(reader);
+  return edit;
+}
+
+SetFiles read_files(BinaryReader& reader) {
+  SetFiles edit;
+  edit.which = read_kind<FileKind>(reader, 3);
+  edit.before = reader.text();
+  edit.after = reader.text();
+  return edit;
+}
+
+AddStroke read_added(BinaryReader& reader) {
+  AddStroke edit;
+  edit.photo = reader.text();
+  edit.stroke = read_stroke(reader);
+  return edit;
+}
+
+ClearStrokes read_cleared(BinaryReader& reader) {
+  ClearStrokes edit;
+  edit.photo = reader.text();
+  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
+    edit.before.push_back(read_stroke(reader));
+  }
+  return edit;
+}
+
+Edit read_edit(BinaryReader& reader) {
+  switch (reader.value<std::uint8_t>()) {
+    case 0:
+      return read_option(reader);
+    case 1:
+      return read_photo_places(reader);
+    case 2:
+      return read_files(reader);
+    case 3:
+      return read_added(reader);
+    case 4:
+      return read_cleared(reader);
+    default:
+      throw Error("there is no such edit");
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> bytes_of_edit(const Edit& edit) {
+  BinaryWriter writer;
+  writer.value(std::uint8_t(edit.index()));
+  std::visit([&](const auto& kind) { write(writer, kind); }, edit);
+  return writer.bytes();
+}
+
+Edit edit_of_bytes(std::span<const std::byte> bytes) {
+  BinaryReader reader(bytes);
+  Edit edit = read_edit(reader);
+  if (!reader.at_end()) throw Error("an edit is too long");
+  return edit;
+}
+
+}  // namespace bosk

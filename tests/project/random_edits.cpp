@@ -1,0 +1,76 @@
+#include "tests/project/random_edits.h"
+
+#include <array>
+#include <string>
+
+#include "core/project/project_json.h"
+
+namespace bosk {
+namespace {
+
+const std::array<std::string, 4> kPhotos{"oak_01", "oak_02", "\xc3\xa4 \"b\"\n", "\xe6\xa8\xb9"};
+
+std::string photo_of(Random& random) { return kPhotos[random.below(kPhotos.size())]; }
+
+Edit random_option(Random& random, const Project& project) {
+  switch (random.below(3)) {
+    case 0:
+      return option_edit(project, "opacity.passes", std::to_string(1 + random.below(9)));
+    case 1:
+      return option_edit(project, "pack.name", photo_of(random));
+    default:
+      return option_edit(project, "matte.position_sigma",
+                         std::to_string(random.uniform(0.05, 0.4)));
+  }
+}
+
+std::filesystem::path random_path(Random& random) {
+  return random.below(4) == 0 ? "" : "../" + photo_of(random) + std::to_string(random.below(100));
+}
+
+}  // namespace
+
+Project saved_project(const std::filesystem::path& folder) {
+  Project project;
+  project.folder = folder;
+  project.photos = {"../photos/oak_01.jpg", "../photos/oak_02.jpg", "../photos/oak_03.jpg"};
+  save_project(project);
+  return project;
+}
+
+Stroke random_stroke(Random& random) {
+  Stroke stroke{StrokeKind(random.below(3)), random.uniform(0.5, 90.0), {}};
+  for (auto left = 1 + random.below(20); left > 0; --left) {
+    stroke.points_px.emplace_back(random.uniform(-50.0, 6000.0), random.uniform(-50.0, 4000.0));
+  }
+  return rounded_stroke(stroke);
+}
+
+Edit random_edit(Random& random, const Project& project) {
+  switch (random.below(20)) {
+    case 0:
+      return clear_edit(project, photo_of(random));
+    case 1: {
+      auto photos = project.photos;
+      photos.push_back(random_path(random));
+      if (photos.size() > 9) photos.erase(photos.begin(), photos.begin() + 7);
+      return photos_edit(project, photos);
+    }
+    case 2:
+    case 3:
+      return files_edit(project, FileKind(random.below(3)), random_path(random));
+    case 4:
+    case 5:
+    case 6:
+      return random_option(random, project);
+    default:
+      return AddStroke{photo_of(random), random_stroke(random)};
+  }
+}
+
+std::string content_of(Project project) {
+  project.journal = {};
+  return project_text(project);
+}
+
+}  // namespace bosk

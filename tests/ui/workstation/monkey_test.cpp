@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "core/base/random.h"
+#include "tests/base/scratch_folder.h"
+#include "tests/ui/workstation/hand.h"
+#include "ui/widgets/keys.h"
+
+namespace bosk {
+namespace {
+
+double seconds_of_play() {
+  const char* asked = std::getenv("BOSK_MONKEY_S");
+  return asked ? std::atof(asked) : 5.0;
+}
+
+ImVec2 somewhere(Random& random, const ImVec2& size) {
+  return {float(random.uniform(0.0, double(size.x))), float(random.uniform(0.0, double(size.y)))};
+}
+
+// A landmark that is there now, but for the ones that would end the play.
+std::string some_landmark(Random& random, Workspace& workspace) {
+  std::vector<std::string> names;
+  for (const auto& [name, mark] : workspace.landmarks) {
+    if (name != "close") names.push_back(name);
+  }
+  return names.empty() ? "" : names[random.below(names.size())];
+}
+
+void do_something(Hand& hand, Random& random) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  static constexpr int kKeys[] = {'Z',       'Y',        'F',           'X',       'E',
+                                  'B',       'P',        ' ',           '[',       ']',
+                                  kKeyHome,  kKeyEscape, kKeyF1,        kKeyEnter, kKeyTab,
+                                  kKeyLeft,  kKeyRight,  kKeyUp,        kKeyDown,  kKeyDelete,
+                                  kKeyEqual, kKeyMinus,  kKeyBackspace, '1',       '5'};
+  switch (random.below(8)) {
+    case 0:
+    case 1:
+    case 2: {
+      const std::string name = some_landmark(random, hand.workspace());
+      if (!name.empty()) hand.click(name, random.below(10) == 0 ? 1 : 0);
+      break;
+    }
+    case 3:
+      hand.drag(somewhere(random, size), somewhere(random, size), 1 + int(random.below(12)),
+                int(random.below(3)));
+      break;
+    case 4:
+      hand.key(kKeys[random.below(std::size(kKeys))], random.below(3) == 0, random.below(3) == 0,
+               random.below(6) == 0);
+      break;
+    case 5:
+      hand.move_to(somewhere(random, size));
+      hand.wheel(float(random.uniform(-3.0, 3.0)));
+      break;
+    case 6:
+      hand.type(std::string(1 + random.below(4), char(32 + random.below(95))));
+      break;
+    default:
+      hand.frame(1 + int(random.below(5)));
+  }
+}
+
+TEST(Monkey, RandomInputBreaksNothingAndUndoLeadsBack) {
+  const ScratchFolder scratch;
+  Hand hand;
+  hand.click("start/folder");
+  hand.type((scratch.path() / "oak").string());
+  hand.click("start/make");
+  ASSERT_TRUE(hand.workspace().session);
+  Random random(20261127);
+  const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> play(seconds_of_play());
+  int acts = 0;
+  while (std::chrono::steady_clock::now() - start < play) {
+    do_something(hand, random);
+    ++acts;
+    if (!hand.workspace().session) break;
+  }
+  ASSERT_TRUE(hand.workspace().session);
+  EXPECT_GT(acts, 10);
+  while (hand.workspace().session->can_undo()) undo(hand.workspace());
+  EXPECT_TRUE(hand.workspace().project().photos.empty());
+  EXPECT_TRUE(hand.workspace().project().strokes.empty());
+}
+
+}  // namespace
+}  // namespace bosk

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/base/scratch_folder.h"
+#include "tests/ui/workstation/hand.h"
+#include "ui/widgets/keys.h"
+#include "ui/workstation/guide.h"
+
+namespace bosk {
+namespace {
+
+TEST(StartPage, MakesAProjectInATypedFolder) {
+  const ScratchFolder scratch;
+  Hand hand;
+  hand.click("start/folder");
+  hand.type((scratch.path() / "oak").string());
+  hand.click("start/make");
+  ASSERT_TRUE(hand.workspace().session);
+  EXPECT_EQ(hand.workspace().project().name(), "oak");
+  EXPECT_EQ(guide_of(hand.workspace(), WorkStep::photos).state, "needs photos");
+}
+
+TEST(StartPage, SaysWhyNothingCanBeOpened) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "file") << "no folder";
+  Hand hand;
+  EXPECT_FALSE(hand.is_enabled("start/open"));
+  hand.click("start/folder");
+  hand.type((scratch.path() / "file" / "oak").string());
+  EXPECT_FALSE(hand.is_enabled("start/open"));
+  hand.click("start/make");
+  EXPECT_FALSE(hand.workspace().session);
+  EXPECT_NE(hand.workspace().start_page.trouble.find("oak"), std::string::npos);
+}
+
+TEST(StartPage, RemembersProjects) {
+  const ScratchFolder scratch;
+  {
+    Hand hand({1400, 900}, scratch.path() / "settings");
+    hand.click("start/folder");
+    hand.type((scratch.path() / "oak").string());
+    hand.click("start/make");
+  }
+  Hand hand({1400, 900}, scratch.path() / "settings");
+  hand.click("start/recent/1");
+  ASSERT_TRUE(hand.workspace().session);
+  EXPECT_EQ(hand.workspace().project().name(), "oak");
+}
+
+class OpenShell : public testing::Test {
+ protected:
+  OpenShell() {
+    hand.click("start/folder");
+    hand.type((scratch.path() / "oak").string());
+    hand.click("start/make");
+  }
+  const ScratchFolder scratch;
+  Hand hand;
+};
+
+TEST_F(OpenShell, EveryStepCanBeVisited) {
+  for (const WorkStep step : kSteps) {
+    hand.click(std::string("step/") + text_of(step).id);
+    EXPECT_EQ(hand.workspace().step, step);
+  }
+}
+
+TEST_F(OpenShell, StepsAreReachedByKey) {
+  for (const WorkStep step : kSteps) {
+    hand.key('1' + int(step), true);
+    EXPECT_EQ(hand.workspace().step, step);
+  }
+}
+
+TEST_F(OpenShell, EveryStepSaysWhatItNeeds) {
+  for (const WorkStep step : kSteps) {
+    EXPECT_FALSE(guide_of(hand.workspace(), step).needs.empty()) << text_of(step).name;
+  }
+}
+
+TEST_F(OpenShell, UndoAndRedoByKeyAndButton) {
+  edit(hand.workspace(), option_edit(hand.workspace().project(), "opacity.cell_px", "2.5"));
+  hand.frame();
+  hand.key('Z', true);
+  EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, OpacityOptions().cell_px);
+  hand.key('Z', true, true);
+  EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, 2.5);
+  hand.click("undo");
+  EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, OpacityOptions().cell_px);
+  hand.click("redo");
+  EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, 2.5);
+}
+
+TEST_F(OpenShell, TheListOfKeysComesAndGoes) {
+  hand.key(kKeyF1);
+  EXPECT_TRUE(hand.sees("keys"));
+  hand.key(kKeyF1);
+  EXPECT_FALSE(hand.sees("keys"));
+}
+
+TEST_F(OpenShell, ScaleIsAskedForByKeyWithinItsRange) {
+  for (int i = 0; i < 20; ++i) {
+    hand.key(kKeyEqual, true);
+    ASSERT_TRUE(hand.workspace().scale_wanted);
+    hand.workspace().settings.scale = double(*hand.workspace().scale_wanted);
+  }
+  EXPECT_EQ(hand.workspace().settings.scale, 3.0);
+}
+
+TEST_F(OpenShell, ClosingLeadsBackToTheStartPage) {
+  hand.click("close");
+  EXPECT_FALSE(hand.workspace().session);
+  EXPECT_TRUE(hand.sees("start/folder"));
+}
+
+}  // namespace
+}  // namespace bosk

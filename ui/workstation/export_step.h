@@ -1,0 +1,12 @@
+#pragma once
+
+namespace bosk {
+
+struct Workspace;
+
+// What the step remembers between frames.
+struct ExportStepState {};
+
+void draw_export_step(Workspace& workspace);
+
+}  // namespace bosk

@@ -1,0 +1,119 @@
+#include "ui/workstation/guide.h"
+
+#include "ui/workstation/capture_files.h"
+#include "ui/workstation/workspace.h"
+
+namespace bosk {
+namespace {
+
+std::string count_text(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+StepGuide photos_guide(const Workspace& workspace) {
+  const std::size_t photos = workspace.project().photos.size();
+  if (photos == 0) {
+    return {Tone::note, "needs photos", "about 24 photographs of one tree, from all around it", "",
+            "drop photographs or their folder on the window, or type where they are"};
+  }
+  const std::string has = count_text(photos, "photo");
+  if (photos < 2) return {Tone::note, "needs photos", "two photos or more", has, "add more photos"};
+  const std::string advice = photos < 12 ? "more photos give a better tree; " : "";
+  return {Tone::good, "ready", "", has, advice + "look at the verdicts, then go on to Calibrate"};
+}
+
+StepGuide calibrate_guide(const Workspace& workspace) {
+  const Project& project = workspace.project();
+  if (project.photos.empty()) return {Tone::muted, "waits", "photos (step Photos)", "", ""};
+  if (project.cameras.empty()) {
+    return {Tone::note, "needs cameras",
+            "where each photo was taken from: a COLMAP model, a transforms.json or mrcal's "
+            ".cameramodel",
+            "", "type or drop the camera file"};
+  }
+  if (workspace.capture) {
+    return {Tone::good, "ready", "",
+            "cameras of " + count_text(workspace.capture->cameras.size(), "photo"),
+            "check in the view that up is up, then go on to Matte"};
+  }
+  return {Tone::bad, "look here", workspace.capture_obstacle, "", "choose another camera file"};
+}
+
+// Of a step that a stage makes.
+StepGuide stage_guide(const Workspace& workspace, const std::string& stage,
+                      const std::string& action) {
+  const std::string obstacle = obstacle_to(workspace, stage);
+  if (is_running(workspace, stage)) return {Tone::busy, "at work", "", "", "watch, or stop it"};
+  const StageState state = state_of(workspace, stage);
+  if (state == StageState::current) return {Tone::good, "done", "", "", "go on to the next step"};
+  if (state == StageState::stored) return {Tone::good, "done", "", "finished earlier", "load it"};
+  if (!obstacle.empty()) return {Tone::muted, "waits", obstacle, "", ""};
+  if (state == StageState::outdated) {
+    return {Tone::note, "out of date", "", "an older result is shown", action + " again"};
+  }
+  return {Tone::note, "to do", "", "", action};
+}
+
+StepGuide matte_guide(const Workspace& workspace) {
+  if (workspace.capture && lacks_mattes(*workspace.capture)) {
+    return {Tone::note, "needs strokes",
+            "strokes over the tree and over its background, on one photo or more; or a folder of "
+            "finished mattes",
+            "", "paint a few strokes of both kinds"};
+  }
+  StepGuide guide = stage_guide(workspace, "matte", "matte all photos");
+  std::size_t strokes = 0;
+  for (const auto& [photo, list] : workspace.project().strokes) strokes += list.size();
+  if (strokes > 0) {
+    guide.has = count_text(strokes, "stroke") + " on " +
+                count_text(workspace.project().strokes.size(), "photo");
+  }
+  return guide;
+}
+
+}  // namespace
+
+std::string stage_of(WorkStep step) {
+  switch (step) {
+    case WorkStep::photos:
+    case WorkStep::calibrate:
+      break;
+    case WorkStep::matte:
+      return "matte";
+    case WorkStep::volume:
+      return "radiance";
+    case WorkStep::textures:
+      return "texture";
+    case WorkStep::codebook:
+      return "compress";
+    case WorkStep::preview:
+    case WorkStep::export_tree:
+      return "pack";
+  }
+  return {};
+}
+
+StepGuide guide_of(const Workspace& workspace, WorkStep step) {
+  if (!workspace.session) return {Tone::muted, "waits", "a project", "", "open or make a project"};
+  switch (step) {
+    case WorkStep::photos:
+      return photos_guide(workspace);
+    case WorkStep::calibrate:
+      return calibrate_guide(workspace);
+    case WorkStep::matte:
+      return matte_guide(workspace);
+    case WorkStep::volume:
+      return stage_guide(workspace, "radiance", "make the volume");
+    case WorkStep::textures:
+      return stage_guide(workspace, "texture", "bake the textures");
+    case WorkStep::codebook:
+      return stage_guide(workspace, "compress", "train the codebooks");
+    case WorkStep::preview:
+      return stage_guide(workspace, "pack", "make the package");
+    case WorkStep::export_tree:
+      return stage_guide(workspace, "pack", "make the package");
+  }
+  return {};
+}
+
+}  // namespace bosk

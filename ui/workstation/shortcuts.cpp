@@ -1,0 +1,90 @@
+#include "ui/workstation/shortcuts.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/widgets/keys.h"
+#include "ui/widgets/landmarks.h"
+#include "ui/widgets/theme.h"
+#include "ui/workstation/workspace.h"
+#include "ui/workstation/workstation.h"
+
+namespace bosk {
+namespace {
+
+constexpr float kScaleStep = 0.25f;
+
+void change_scale(Workspace& workspace, float by) {
+  const float now = workspace.settings.scale > 0.0 ? float(workspace.settings.scale) : 1.0f;
+  const float wanted = by == 0.0f ? 1.0f : std::clamp(now + by, kLeastScale, kLargestScale);
+  workspace.scale_wanted = wanted;
+}
+
+void hear_history(Workspace& workspace, bool shift) {
+  for (const int key : workspace.input.keys) {
+    if (key == 'Z' && !shift) undo(workspace);
+    if ((key == 'Z' && shift) || key == 'Y') redo(workspace);
+  }
+}
+
+}  // namespace
+
+const std::vector<Shortcut>& shortcuts() {
+  static const std::vector<Shortcut> list = {
+      {"Everywhere", "Ctrl+Z", "undo"},
+      {"Everywhere", "Ctrl+Shift+Z, Ctrl+Y", "redo"},
+      {"Everywhere", "Ctrl+1 ... Ctrl+8", "go to a step"},
+      {"Everywhere", "Ctrl+Plus, Ctrl+Minus, Ctrl+0", "larger, smaller, usual size of everything"},
+      {"Everywhere", "F1", "this list"},
+      {"Everywhere", "Ctrl+Q", "close; everything is kept"},
+      {"Pictures", "wheel", "zoom at the mouse"},
+      {"Pictures", "middle drag, Space + drag", "move the picture"},
+      {"Pictures", "Home", "show all of it"},
+      {"Options", "Ctrl+click", "type a number"},
+      {"Options", "right click", "back to the default"},
+  };
+  return list;
+}
+
+void hear_shortcuts(Workspace& workspace) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (workspace.input.pressed(kKeyF1)) workspace.shortcuts_shown = !workspace.shortcuts_shown;
+  if (!io.KeyCtrl || io.KeyAlt) return;
+  // A text field has an undo of its own
+  if (workspace.session && !io.WantTextInput) hear_history(workspace, io.KeyShift);
+  for (const WorkStep step : kSteps) {
+    if (workspace.input.pressed('1' + int(step))) workspace.step = step;
+  }
+  if (workspace.input.pressed(kKeyEqual)) change_scale(workspace, kScaleStep);
+  if (workspace.input.pressed(kKeyMinus)) change_scale(workspace, -kScaleStep);
+  if (workspace.input.pressed('0')) change_scale(workspace, 0.0f);
+  if (workspace.input.pressed('Q')) workspace.close_wanted = true;
+}
+
+void draw_shortcuts(Workspace& workspace) {
+  if (!workspace.shortcuts_shown) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  if (ImGui::Begin("Keys", &workspace.shortcuts_shown,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings) &&
+      ImGui::BeginTable("keys", 3)) {
+    std::string where;
+    for (const Shortcut& shortcut : shortcuts()) {
+      ImGui::TableNextColumn();
+      if (shortcut.where != where) ImGui::TextDisabled("%s", shortcut.where.c_str());
+      where = shortcut.where;
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(shortcut.keys.c_str());
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(shortcut.what.c_str());
+    }
+    ImGui::EndTable();
+  }
+  mark("keys", ImGui::GetWindowPos(),
+       {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+        ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+  ImGui::End();
+}
+
+}  // namespace bosk

@@ -1,0 +1,20 @@
+#include "ui/workstation/stage_run.h"
+
+#include "ui/workstation/workspace.h"
+
+namespace bosk {
+
+std::string title_of_stage(const std::string& stage) { return stage_named(stage).title; }
+
+RunWatchers watchers_of(Workspace&) { return {}; }
+
+void apply_what_was_used(Workspace& workspace, const Run& run) {
+  for (const std::string option : {"opacity.stop_after", "radiance.stop_after"}) {
+    const std::string used = option_text(run.recipe, option);
+    if (used != option_text(workspace.project().recipe, option)) {
+      edit(workspace, option_edit(workspace.project(), option, used));
+    }
+  }
+}
+
+}  // namespace bosk

@@ -1,0 +1,227 @@
+#include "ui/workstation/workspace.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/project/cache.h"
+#include "ui/workstation/capture_files.h"
+#include "ui/workstation/stage_run.h"
+
+namespace bosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a person looks at: these results stay in memory once made.
+std::vector<std::string> shown_stages_up_to(const std::string& stage) {
+  return stages_up_to(stage);
+}
+
+// Takes over what `from` holds.
+void merge(Results& into, const Results& from) {
+  const auto take = [](auto& mine, const auto& other) {
+    if (other) mine = other;
+  };
+  take(into.imported, from.imported);
+  take(into.views, from.views);
+  take(into.mattes, from.mattes);
+  take(into.opacity, from.opacity);
+  take(into.radiance, from.radiance);
+  take(into.billboards, from.billboards);
+  take(into.textures, from.textures);
+  take(into.package, from.package);
+}
+
+// Results that were made from just what the project asks for.
+Results current_results(const Workspace& workspace) {
+  Results results = workspace.results;
+  for (const Stage& stage : stages()) {
+    if (state_of(workspace, stage.name) != StageState::current) stage.let_go(results);
+  }
+  return results;
+}
+
+struct Made {
+  Run run;
+  std::map<std::string, ContentHash> keys;
+};
+
+void install(Workspace& workspace, Made made) {
+  merge(workspace.results, made.run.results);
+  for (const auto& [stage, key] : made.keys) {
+    if (stage_named(stage).is_held(made.run.results)) workspace.made[stage] = key;
+  }
+  apply_what_was_used(workspace, made.run);
+  workspace.seen_revision.reset();  // what is stored may have changed
+}
+
+void start_run(Workspace& workspace, const std::string& title, const std::string& stage,
+               const std::vector<std::string>& wanted) {
+  auto project = std::make_shared<const Project>(workspace.project());
+  workspace.running_stage = stage;
+  workspace.running_job = workspace.jobs.start(
+      title,
+      [project, capture = workspace.capture, wanted, watchers = watchers_of(workspace),
+       known = current_results(workspace)](Progress& progress) {
+        Made made;
+        made.run = run_stages(*project, *capture, wanted, progress, {}, watchers, known);
+        made.keys = stage_keys(*capture, made.run.recipe);
+        return made;
+      },
+      [&workspace](Made made) { install(workspace, std::move(made)); });
+}
+
+// Brings keys and what the cache holds up to date with the project.
+void refresh_keys(Workspace& workspace) {
+  workspace.wanted.clear();
+  workspace.stored.clear();
+  if (!workspace.session || !workspace.capture) return;
+  workspace.wanted = stage_keys(*workspace.capture, workspace.project().recipe);
+  const Cache cache(workspace.project().cache_folder());
+  for (const auto& [stage, key] : workspace.wanted) {
+    workspace.stored[stage] = cache.contains(stage, key);
+  }
+}
+
+}  // namespace
+
+bool WindowInput::pressed(int key) const {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Workspace::Workspace(PictureDevice device, std::function<void()> wake, fs::path settings_folder)
+    : pictures(std::move(device)),
+      settings(read_settings(settings_folder)),
+      settings_place(std::move(settings_folder)),
+      jobs(std::move(wake)) {}
+
+Workspace::~Workspace() {
+  // Closing must not wait for the disk's errors to be told: the journal holds all of it
+  try {
+    close_project(*this);
+  } catch (const Error&) {
+  }
+}
+
+void open_project(Workspace& workspace, const fs::path& folder) {
+  auto session = std::make_unique<Session>(folder);
+  close_project(workspace);
+  workspace.session = std::move(session);
+  workspace.seen_revision.reset();
+  workspace.seen_files = 0;
+  remember(workspace.settings, folder);
+  save_settings(workspace.settings, workspace.settings_place);
+  workspace.step = WorkStep::photos;
+  refresh(workspace);
+}
+
+void close_project(Workspace& workspace) {
+  if (!workspace.session) return;
+  workspace.jobs.cancel_all();
+  workspace.session->save();
+  workspace.session.reset();
+  workspace.capture.reset();
+  workspace.results = {};
+  workspace.made.clear();
+  workspace.wanted.clear();
+  workspace.stored.clear();
+  workspace.running_stage.clear();
+  workspace.photos = {};
+  workspace.calibrate = {};
+  workspace.matte = {};
+  workspace.volume = {};
+  workspace.textures = {};
+  workspace.codebook = {};
+  workspace.preview = {};
+  workspace.export_tree = {};
+}
+
+void edit(Workspace& workspace, Edit change) {
+  workspace.session->apply(std::move(change));
+  refresh(workspace);
+}
+
+void set_recipe(Workspace& workspace, const Recipe& recipe) {
+  Recipe wanted = recipe;
+  for (const OptionGroup& group : option_groups(wanted)) {
+    for (const Option& option : group.options) {
+      const std::string name = group.stage + "." + option.name, text = value_text(option);
+      if (option_text(workspace.project().recipe, name) == text) continue;
+      workspace.session->apply(option_edit(workspace.project(), name, text));
+    }
+  }
+  refresh(workspace);
+}
+
+void undo(Workspace& workspace) {
+  if (workspace.session && workspace.session->can_undo()) workspace.session->undo();
+  refresh(workspace);
+}
+
+void redo(Workspace& workspace) {
+  if (workspace.session && workspace.session->can_redo()) workspace.session->redo();
+  refresh(workspace);
+}
+
+void refresh(Workspace& workspace) {
+  workspace.jobs.collect();
+  if (workspace.running_job != 0 && !workspace.jobs.is_open(workspace.running_job)) {
+    workspace.running_job = 0;
+    workspace.running_stage.clear();
+    workspace.seen_revision.reset();
+  }
+  if (!workspace.session) return;
+  const std::uint64_t revision = workspace.session->revision();
+  if (revision == workspace.seen_revision) return;
+  workspace.seen_revision = revision;
+  refresh_capture(workspace);
+  refresh_keys(workspace);
+}
+
+StageState state_of(const Workspace& workspace, const std::string& stage) {
+  const auto wanted = workspace.wanted.find(stage);
+  const auto made = workspace.made.find(stage);
+  if (made != workspace.made.end()) {
+    const bool same = wanted != workspace.wanted.end() && made->second == wanted->second;
+    if (same) return StageState::current;
+  }
+  const auto stored = workspace.stored.find(stage);
+  if (stored != workspace.stored.end() && stored->second) return StageState::stored;
+  return made == workspace.made.end() ? StageState::missing : StageState::outdated;
+}
+
+bool is_shown(const Workspace& workspace, const std::string& stage) {
+  return workspace.made.count(stage) > 0;
+}
+
+bool is_running(const Workspace& workspace, const std::string& stage) {
+  if (workspace.running_stage.empty()) return false;
+  const auto stages = stages_up_to(workspace.running_stage);
+  return std::count(stages.begin(), stages.end(), stage) > 0 &&
+         state_of(workspace, stage) != StageState::current;
+}
+
+std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
+  if (!workspace.session) return "open a project first";
+  if (!workspace.capture) return workspace.capture_obstacle;
+  const auto needed = stages_up_to(stage);
+  const bool needs_mattes = std::count(needed.begin(), needed.end(), "matte") > 0;
+  if (needs_mattes && lacks_mattes(*workspace.capture)) {
+    return "paint strokes over the tree and over the background of a photo in step Matte, or name "
+           "a folder of mattes there";
+  }
+  return {};
+}
+
+void run_to(Workspace& workspace, const std::string& stage) {
+  if (!obstacle_to(workspace, stage).empty() || is_running(workspace, stage)) return;
+  if (workspace.running_job != 0) workspace.jobs.cancel(workspace.running_job);
+  start_run(workspace, title_of_stage(stage), stage, shown_stages_up_to(stage));
+}
+
+void load_if_stored(Workspace& workspace, const std::string& stage) {
+  if (workspace.running_job != 0 || state_of(workspace, stage) != StageState::stored) return;
+  start_run(workspace, "Loading " + title_of_stage(stage), stage, {stage});
+}
+
+}  // namespace bosk

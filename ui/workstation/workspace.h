@@ -1,0 +1,135 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/project/capture.h"
+#include "core/project/run.h"
+#include "core/project/session.h"
+#include "core/project/stages.h"
+#include "ui/widgets/landmarks.h"
+#include "ui/widgets/pictures.h"
+#include "ui/workstation/calibrate_step.h"
+#include "ui/workstation/codebook_step.h"
+#include "ui/workstation/export_step.h"
+#include "ui/workstation/jobs.h"
+#include "ui/workstation/matte_step.h"
+#include "ui/workstation/photos_step.h"
+#include "ui/workstation/preview_step.h"
+#include "ui/workstation/start_page.h"
+#include "ui/workstation/textures_step.h"
+#include "ui/workstation/user_settings.h"
+#include "ui/workstation/volume_step.h"
+#include "ui/workstation/work_step.h"
+
+namespace bosk {
+
+// What the window heard since the last frame, beside what Dear ImGui keeps.
+struct WindowInput {
+  // Keys pressed, also those released again, which Dear ImGui 1.86 forgets in a slow frame; repeats
+  // of a key held down count again.
+  std::vector<int> keys;
+  std::vector<std::filesystem::path> dropped;  // files and folders
+  // Where the mouse was since the last frame, oldest first, in Dear ImGui's coordinates; may be
+  // empty. A slow frame otherwise sees only its last place.
+  std::vector<ImVec2> mouse_path;
+  bool focus_lost = false;
+
+  bool pressed(int key) const;
+};
+
+// The option that is being dragged or typed, with its value as text; empty: none.
+struct OptionInHand {
+  std::string name, text;
+};
+
+// How a stage's newest result stands to the project as it is now.
+enum class StageState {
+  missing,   // never made, or not from anything like this
+  stored,    // made from just this, on disk, not loaded yet
+  outdated,  // shown, but made from something else
+  current,   // shown, and made from just this
+};
+
+// All that the window knows: one capture session. The interface thread owns it; workers get values.
+struct Workspace {
+  // `device` makes textures, `wake` asks for a frame from any thread, settings are kept in
+  // `settings_place` (empty: nowhere).
+  Workspace(PictureDevice device, std::function<void()> wake, std::filesystem::path settings_place);
+  ~Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  const Project& project() const { return session->project(); }
+
+  Pictures pictures;
+  Landmarks landmarks;
+  UserSettings settings;
+  std::filesystem::path settings_place;
+  WindowInput input;
+  WorkStep step = WorkStep::photos;
+  OptionInHand option_in_hand;
+  bool shortcuts_shown = false, close_wanted = false;
+  std::optional<float> scale_wanted;  // the window applies it before the next frame
+
+  std::unique_ptr<Session> session;  // null: the start page is shown
+  // What stages start from, as the project's files were read last; null with the reason beside it.
+  std::shared_ptr<const Capture> capture;
+  std::string capture_obstacle;
+  Results results;                            // the newest that is loaded or was made
+  std::map<std::string, ContentHash> made;    // the key of each stage's result in `results`
+  std::map<std::string, ContentHash> wanted;  // the keys that the project asks for now
+  std::map<std::string, bool> stored;         // whether the cache holds the wanted result
+  std::string running_stage;                  // that the running job was asked for
+  int running_job = 0;
+
+  StartPageState start_page;
+  PhotosStepState photos;
+  CalibrateStepState calibrate;
+  MatteStepState matte;
+  VolumeStepState volume;
+  TexturesStepState textures;
+  CodebookStepState codebook;
+  PreviewStepState preview;
+  ExportStepState export_tree;
+
+  // The session's revision when the keys were made; none: make them again.
+  std::optional<std::uint64_t> seen_revision;
+  std::uint64_t seen_files = 0;  // which files the capture was read from
+  Jobs jobs;                     // last: its workers must end before what they wake goes
+};
+
+// Opens a project in place of the present one, which is saved. Throws Error as Session does; the
+// present project then stays open.
+void open_project(Workspace& workspace, const std::filesystem::path& folder);
+void close_project(Workspace& workspace);
+
+// The one way to change the project: applies the edit, journals it, and brings what depends on it
+// up to date.
+void edit(Workspace& workspace, Edit change);
+// Edits for every option in which the recipe differs.
+void set_recipe(Workspace& workspace, const Recipe& recipe);
+void undo(Workspace& workspace);
+void redo(Workspace& workspace);
+
+// Follows the project after edits and finished jobs. Once a frame, before anything is drawn.
+void refresh(Workspace& workspace);
+
+StageState state_of(const Workspace& workspace, const std::string& stage);
+bool is_shown(const Workspace& workspace, const std::string& stage);  // outdated or current
+// Whether a job is at work that makes the stage's result.
+bool is_running(const Workspace& workspace, const std::string& stage);
+// Why the stages up to this one can't run now; empty when they can.
+std::string obstacle_to(const Workspace& workspace, const std::string& stage);
+
+// Starts a job that makes all stages up to this one; what is finished is loaded instead. Does
+// nothing while one is at work on it.
+void run_to(Workspace& workspace, const std::string& stage);
+// Loads the stage's result if the cache holds it and it isn't shown yet.
+void load_if_stored(Workspace& workspace, const std::string& stage);
+
+}  // namespace bosk
