@@ -155,7 +155,12 @@ std::string drawn_text(const Project& project) {
 void show_project(const std::string& folder, Console& console) {
   const Project project = read_project(folder);
   const bool has_cameras = !project.cameras.empty();
-  const Capture capture = has_cameras ? gather_capture(project) : Capture();
+  Capture capture;
+  if (has_cameras) {
+    capture = gather_capture(project);
+  } else {
+    capture.remarks.push_back("no cameras yet; " + cameras_remedy(folder));
+  }
   std::string text = printable(folder) + ": project with " + std::to_string(capture.photos.size()) +
                      " of " + std::to_string(project.photos.size()) + " photos in use\n" +
                      source_text("cameras", project.cameras) +

@@ -6,6 +6,7 @@
 #include "app/project_work.h"
 #include "app/stage_options.h"
 #include "core/base/system_error.h"
+#include "core/project/capture.h"
 #include "core/project/new_project.h"
 
 namespace bosk {
@@ -55,15 +56,13 @@ void report(const std::string& folder, const Project& project, const Capture& ca
 }
 
 void report_photos_alone(const std::string& folder, const Project& project, Console& console) {
-  const std::string name = printable(folder);
-  console.result(name + ": project with " + std::to_string(project.photos.size()) +
-                     " photos and no cameras yet; give them with `bosk new --replace " + name +
-                     " --cameras FILE`, or in the Calibrate step of `bosk open " + name + "`\n",
+  console.result(printable(folder) + ": project with " + std::to_string(project.photos.size()) +
+                     " photos and no cameras yet; " + cameras_remedy(folder) + "\n",
                  {{"project", folder},
                   {"photos_given", project.photos.size()},
                   {"photos_used", 0},
                   {"photos", nlohmann::json::array()},
-                  {"remarks", nlohmann::json::array()}});
+                  {"remarks", {"no cameras yet; " + cameras_remedy(folder)}}});
 }
 
 void warn_of_missing_mattes(const Project& project, Console& console) {

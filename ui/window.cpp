@@ -173,7 +173,7 @@ float Window::content_scale() const {
 void Window::set_theme(float scale) {
   apply_theme(scale);
   ImGui::GetIO().FontGlobalScale = 1.0f;
-  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made again, the font too, by the next frame
 }
 
 }  // namespace bosk

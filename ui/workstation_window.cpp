@@ -35,8 +35,8 @@ class WorkstationLoop {
         window_("Bosk", start.size, "use Bosk's commands, see `bosk --help`"),
         workspace_(
             gl_picture_device(), [this] { wake(); }, settings_folder()) {
-    const double scale = workspace_.settings.scale;
-    window_.set_theme(scale > 0.0 ? float(scale) : window_.content_scale());
+    workspace_.screen_scale = window_.content_scale();
+    window_.set_theme(scale_of(workspace_));
     if (start.project) open_project(workspace_, *start.project);
   }
 

@@ -171,6 +171,34 @@ void paint_tile(const Tile& tile, const std::vector<Run>& runs, const Photo& pho
   }
 }
 
+void restore_tile(const Tile& tile, const Image<std::uint8_t>& below,
+                  Image<std::uint8_t>& scribbles) {
+  for (int y = tile.y; y < tile.end_y; ++y) {
+    for (int x = tile.x; x < tile.end_x; ++x) {
+      scribbles(x, y) = below.empty() ? kNoStroke : below(x, y);
+    }
+  }
+}
+
+std::vector<Run> runs_of(const std::vector<Stroke>& strokes) {
+  std::vector<Run> runs;
+  for (const Stroke& stroke : strokes) add_runs(stroke, runs);
+  return runs;
+}
+
+void fit(const Photo& photo, Image<std::uint8_t>& scribbles) {
+  const Lens& working = photo.camera.lens;
+  if (scribbles.empty()) scribbles = {working.width_px, working.height_px, kNoStroke};
+  assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
+}
+
+template <class Work>
+void for_each_tile(const Photo& photo, Work&& work) {
+  for (int y = 0; y < photo.camera.lens.height_px; y += kTilePx) {
+    for (int x = 0; x < photo.camera.lens.width_px; x += kTilePx) work(tile_at(x, y, photo));
+  }
+}
+
 }  // namespace
 
 Stroke rounded_stroke(Stroke stroke) {
@@ -189,16 +217,22 @@ Stroke rounded_stroke(Stroke stroke) {
 
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
                    Image<std::uint8_t>& scribbles) {
-  const Lens& working = photo.camera.lens;
-  if (scribbles.empty()) scribbles = {working.width_px, working.height_px, kNoStroke};
-  assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
-  std::vector<Run> runs;
-  for (const Stroke& stroke : strokes) add_runs(stroke, runs);
-  for (int y = 0; y < working.height_px; y += kTilePx) {
-    for (int x = 0; x < working.width_px; x += kTilePx) {
-      paint_tile(tile_at(x, y, photo), runs, photo, scribbles);
-    }
-  }
+  fit(photo, scribbles);
+  const std::vector<Run> runs = runs_of(strokes);
+  for_each_tile(photo, [&](const Tile& tile) { paint_tile(tile, runs, photo, scribbles); });
+}
+
+void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
+                     const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles) {
+  fit(photo, scribbles);
+  const std::vector<Run> runs = runs_of(strokes), changed_runs = runs_of({changed});
+  for_each_tile(photo, [&](const Tile& tile) {
+    const bool touched = std::any_of(changed_runs.begin(), changed_runs.end(),
+                                     [&](const Run& run) { return may_touch(run, tile); });
+    if (!touched) return;
+    restore_tile(tile, below, scribbles);
+    paint_tile(tile, runs, photo, scribbles);
+  });
 }
 
 }  // namespace bosk

@@ -44,4 +44,10 @@ Stroke rounded_stroke(Stroke stroke);
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
                    Image<std::uint8_t>& scribbles);
 
+// Repaints only where `changed` passes, for a stroke that was undone or taken out: there
+// `scribbles` becomes what `below` (files' drawing; empty: unknown everywhere) is with `strokes`
+// over it.
+void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
+                     const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles);
+
 }  // namespace bosk

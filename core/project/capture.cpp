@@ -49,10 +49,8 @@ void hash_content(std::vector<SourceFile>& files) {
 
 std::vector<Camera> project_cameras(const Project& project) {
   if (project.cameras.empty()) {
-    throw Error(printable(project.folder.string()) +
-                ": the project has no cameras yet; give some with `bosk new --replace --cameras "
-                "FILE`, or in the Calibrate step of `bosk open " +
-                printable(project.folder.string()) + "`");
+    throw Error(printable(project.folder.string()) + ": the project has no cameras yet; " +
+                cameras_remedy(project.folder));
   }
   return read_cameras(project.absolute(project.cameras));
 }
@@ -138,6 +136,12 @@ void take_strokes(Capture& capture, const Strokes& strokes) {
     const auto drawn = strokes.find(photo.name);
     if (drawn != strokes.end() && !drawn->second.empty()) capture.strokes.insert(*drawn);
   }
+}
+
+std::string cameras_remedy(const fs::path& project_folder) {
+  const std::string folder = printable(project_folder.string());
+  return "give some with `bosk new --replace " + folder +
+         " --cameras FILE`, or in the Calibrate step of `bosk open " + folder + "`";
 }
 
 std::vector<std::string> photo_names(const Project& project) {

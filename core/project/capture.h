@@ -40,6 +40,9 @@ Capture gather_capture(const Project& project, const std::vector<Camera>& camera
 // The capture with these strokes, of the photos that it uses: quick, since no file is read again.
 void take_strokes(Capture& capture, const Strokes& strokes);
 
+// What to do about a project without cameras, in words: "give some with ...".
+std::string cameras_remedy(const std::filesystem::path& project_folder);
+
 // The names of the project's photos, sorted. Throws Error when two have the same.
 std::vector<std::string> photo_names(const Project& project);
 

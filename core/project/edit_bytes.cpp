@@ -1,6 +1,7 @@
 #include "core/project/edit_bytes.h"
 
 #include <cmath>
+#include <string>
 
 #include "core/base/binary.h"
 #include "core/base/error.h"
@@ -14,9 +15,13 @@ using Paths = std::vector<fs::path>;
 std::int32_t steps(double px) { return std::int32_t(std::lround(px / kStrokeStepPx)); }
 double pixels(std::int32_t steps) { return steps * kStrokeStepPx; }
 
+void write(BinaryWriter& writer, const std::string& text) {
+  writer.array(std::vector<char>(text.begin(), text.end()));
+}
+
 void write(BinaryWriter& writer, const Paths& paths) {
   writer.value(std::uint64_t(paths.size()));
-  for (const fs::path& path : paths) writer.text(path.string());
+  for (const fs::path& path : paths) write(writer, path.string());
 }
 
 void write(BinaryWriter& writer, const Stroke& stroke) {
@@ -31,9 +36,9 @@ void write(BinaryWriter& writer, const Stroke& stroke) {
 }
 
 void write(BinaryWriter& writer, const SetOption& edit) {
-  writer.text(edit.name);
-  writer.text(edit.before);
-  writer.text(edit.after);
+  write(writer, edit.name);
+  write(writer, edit.before);
+  write(writer, edit.after);
 }
 void write(BinaryWriter& writer, const SetPhotos& edit) {
   write(writer, edit.before);
@@ -41,15 +46,15 @@ void write(BinaryWriter& writer, const SetPhotos& edit) {
 }
 void write(BinaryWriter& writer, const SetFiles& edit) {
   writer.value(edit.which);
-  writer.text(edit.before.string());
-  writer.text(edit.after.string());
+  write(writer, edit.before.string());
+  write(writer, edit.after.string());
 }
 void write(BinaryWriter& writer, const AddStroke& edit) {
-  writer.text(edit.photo);
+  write(writer, edit.photo);
   write(writer, edit.stroke);
 }
 void write(BinaryWriter& writer, const ClearStrokes& edit) {
-  writer.text(edit.photo);
+  write(writer, edit.photo);
   writer.value(std::uint64_t(edit.before.size()));
   for (const Stroke& stroke : edit.before) write(writer, stroke);
 }

@@ -51,8 +51,10 @@ class Session {
   // Whether project.json holds all edits by itself.
   bool is_saved() const { return saved_ == project_.journal; }
   // Writes project.json, atomically; nothing when it is saved. Throws Error. Takes the disk's time
-  // (it syncs); a worker may call save_project on a copy of project() instead, at any time.
+  // (it syncs); a worker may call save_project on a copy of project() instead, at any time, and
+  // hand back what the copy's `journal` says.
   void save();
+  void note_saved(const JournalPlace& place) { saved_ = place; }
 
  private:
   void take(Step step);

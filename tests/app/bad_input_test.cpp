@@ -66,7 +66,10 @@ TEST_F(BadInput, CamerasThatMatchNoPhoto) {
 }
 
 TEST_F(BadInput, NoCameras) {
-  expect_refusal(bosk({"new", "p", "capture/photos"}), "no cameras given");
+  EXPECT_EQ(bosk({"new", "p", "capture/photos"}).status, 0);
+  EXPECT_THAT(bosk({"info", "p"}).out, HasSubstr("no cameras yet"));
+  expect_refusal(bosk({"run", "p", "--quiet"}), "p: the project has no cameras yet");
+  EXPECT_EQ(bosk({"new", "--replace", "p", "--cameras", "capture/transforms.json"}).status, 0);
 }
 
 TEST_F(BadInput, AFolderWithoutCameras) {

@@ -142,6 +142,26 @@ TEST(PaintStrokes, OneByOneOrAllAtOnceIsTheSame) {
   EXPECT_EQ(one_by_one, painted(strokes, photo));
 }
 
+TEST(RepaintStrokes, GivesWhatPaintingAllAnewWould) {
+  Random random(7);
+  const Photo photo = bent_photo();
+  const auto below = painted({random_stroke(random), random_stroke(random)}, photo);
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < 30; ++i) strokes.push_back(random_stroke(random));
+  auto scribbles = below;
+  paint_strokes(strokes, photo, scribbles);
+  while (!strokes.empty()) {
+    const auto taken = strokes.begin() + std::ptrdiff_t(random.below(strokes.size()));
+    const Stroke changed = *taken;
+    strokes.erase(taken);
+    repaint_strokes(strokes, changed, photo, below, scribbles);
+    auto anew = below;
+    paint_strokes(strokes, photo, anew);
+    ASSERT_EQ(scribbles, anew) << strokes.size();
+  }
+  EXPECT_EQ(scribbles, below);
+}
+
 TEST(PaintStrokes, AgreeWithADrawingOfTheSame) {
   const Photo photo = bent_photo(400);
   const std::vector<Stroke> strokes = {

@@ -81,7 +81,7 @@ TEST(HostileJournal, RightChecksumsOverNonsenseDoNoHarm) {
     Replay replay = replay_journal(copy);
     if (replay.history.done == 0) continue;
     ++taken;
-    revert(replay.history.edits.front(), copy);
+    change_project(replay.history, {StepKind::undo, {}}, copy);
     static_cast<void>(title(replay.history.edits.front()));
   }
   EXPECT_GT(taken, 0);  // another letter in a name: nobody can know

@@ -25,7 +25,8 @@ Stroke stroke_of(std::uint32_t number) {
   try {
     Session session(folder);
     const auto drawn = session.project().strokes.find("oak_01");
-    auto number = std::uint32_t(drawn == session.project().strokes.end() ? 0 : drawn->second.size());
+    auto number =
+        std::uint32_t(drawn == session.project().strokes.end() ? 0 : drawn->second.size());
     for (;; ++number) {
       session.apply(AddStroke{"oak_01", stroke_of(number)});
       if (::write(pipe, &number, sizeof(number)) != sizeof(number)) break;

@@ -7,24 +7,30 @@
 namespace bosk {
 namespace {
 
-constexpr float kFontPx = 16.0f;
+constexpr float kFontPx = 16.0f, kTitlePx = 24.0f;
 constexpr float kTooltipEms = 28.0f;  // a tooltip's longest line
 
 // Latin with its extensions, Greek, Cyrillic, punctuation, arrows and the signs of units.
 const ImWchar kGlyphs[] = {0x0020, 0x024f, 0x0370, 0x052f, 0x2010, 0x2044, 0x2190,
                            0x2193, 0x2200, 0x2265, 0x25a0, 0x25ff, 0};
 
-void load_font(float scale) {
+void load_font(float size_px) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-  fonts.Clear();
   std::error_code none;
   if (std::filesystem::exists(BOSK_FONT_FILE, none)) {
-    fonts.AddFontFromFileTTF(BOSK_FONT_FILE, kFontPx * scale, nullptr, kGlyphs);
+    fonts.AddFontFromFileTTF(BOSK_FONT_FILE, size_px, nullptr, kGlyphs);
     return;
   }
   ImFontConfig config;
-  config.SizePixels = kFontPx * scale;
+  config.SizePixels = size_px;
   fonts.AddFontDefault(&config);
+}
+
+// The first is the text's, the second that of titles.
+void load_fonts(float scale) {
+  ImGui::GetIO().Fonts->Clear();
+  load_font(kFontPx * scale);
+  load_font(kTitlePx * scale);
 }
 
 void set_colours(ImGuiStyle& style) {
@@ -35,6 +41,8 @@ void set_colours(ImGuiStyle& style) {
   // 4.9 : 1 on the windows' ground
   style.Colors[ImGuiCol_TextDisabled] = {0.58f, 0.60f, 0.60f, 1.0f};
   style.Colors[ImGuiCol_Header] = {0.20f, 0.33f, 0.42f, 1.0f};
+  style.Colors[ImGuiCol_HeaderHovered] = {0.17f, 0.26f, 0.32f, 1.0f};
+  style.Colors[ImGuiCol_HeaderActive] = {0.22f, 0.38f, 0.50f, 1.0f};
   style.Colors[ImGuiCol_Border] = {0.28f, 0.30f, 0.31f, 1.0f};
 }
 
@@ -97,10 +105,21 @@ void apply_theme(float scale) {
   ImGuiStyle style;
   set_colours(style);
   style.FrameRounding = style.GrabRounding = style.ChildRounding = 3.0f;
+  style.FramePadding = {7.0f, 4.0f};
+  style.ItemSpacing = {8.0f, 6.0f};
+  style.WindowPadding = {10.0f, 8.0f};
+  style.ScrollbarSize = 14.0f;
   style.WindowRounding = 0.0f;
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;
-  load_font(scale);
+  load_fonts(scale);
+}
+
+void title(const std::string& text) {
+  const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+  ImGui::PushFont(fonts[fonts.Size > 1 ? 1 : 0]);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
 }
 
 void badge(Tone tone, const std::string& word) {

@@ -24,6 +24,9 @@ ImU32 colour_u32(Tone tone, float alpha = 1.0f);
 void apply_theme(float scale);
 inline constexpr float kLeastScale = 1.0f, kLargestScale = 3.0f;
 
+// A line in larger letters.
+void title(const std::string& text);
+
 // A word in its tone's colour with a mark of its own shape in front.
 void badge(Tone tone, const std::string& word);
 

@@ -13,14 +13,6 @@
 namespace bosk {
 namespace {
 
-constexpr float kScaleStep = 0.25f;
-
-void change_scale(Workspace& workspace, float by) {
-  const float now = workspace.settings.scale > 0.0 ? float(workspace.settings.scale) : 1.0f;
-  const float wanted = by == 0.0f ? 1.0f : std::clamp(now + by, kLeastScale, kLargestScale);
-  workspace.scale_wanted = wanted;
-}
-
 void hear_history(Workspace& workspace, bool shift) {
   for (const int key : workspace.input.keys) {
     if (key == 'Z' && !shift) undo(workspace);
@@ -56,9 +48,10 @@ void hear_shortcuts(Workspace& workspace) {
   for (const WorkStep step : kSteps) {
     if (workspace.input.pressed('1' + int(step))) workspace.step = step;
   }
-  if (workspace.input.pressed(kKeyEqual)) change_scale(workspace, kScaleStep);
-  if (workspace.input.pressed(kKeyMinus)) change_scale(workspace, -kScaleStep);
-  if (workspace.input.pressed('0')) change_scale(workspace, 0.0f);
+  const float scale = scale_of(workspace);
+  if (workspace.input.pressed(kKeyEqual)) ask_for_scale(workspace, scale + kScaleStep);
+  if (workspace.input.pressed(kKeyMinus)) ask_for_scale(workspace, scale - kScaleStep);
+  if (workspace.input.pressed('0')) ask_for_scale(workspace, 1.0f);
   if (workspace.input.pressed('Q')) workspace.close_wanted = true;
 }
 

@@ -69,7 +69,7 @@ void draw_choice(Workspace& workspace) {
 void draw_recent(Workspace& workspace) {
   if (workspace.settings.recent.empty()) return;
   ImGui::Separator();
-  ImGui::TextUnformatted("Opened lately");
+  title("Opened lately");
   std::string wanted;
   int number = 0;
   for (const fs::path& project : workspace.settings.recent) {
@@ -89,7 +89,7 @@ void draw_recent(Workspace& workspace) {
 
 void draw_start_page(Workspace& workspace) {
   for (const fs::path& path : workspace.input.dropped) workspace.start_page.folder = path.string();
-  ImGui::TextUnformatted("Bosk");
+  title("Bosk");
   paragraph(
       Tone::muted,
       "About 24 photographs of a tree become a small package that draws like that very tree.");

@@ -42,10 +42,27 @@ void draw_history(Workspace& workspace) {
                                            : "Last: " + undo_what + ". Saved.");
 }
 
+void draw_size_choice(Workspace& workspace) {
+  const float now = scale_of(workspace);
+  if (button("scale/less", "-", "Ctrl+Minus: everything smaller",
+             now > kLeastScale ? "" : "this is the smallest")) {
+    ask_for_scale(workspace, now - kScaleStep);
+  }
+  ImGui::SameLine();
+  ImGui::Text("%.0f %%", double(100.0f * now));
+  ImGui::SameLine();
+  if (button("scale/more", "+", "Ctrl+Plus: everything larger",
+             now < kLargestScale ? "" : "this is the largest")) {
+    ask_for_scale(workspace, now + kScaleStep);
+  }
+  ImGui::SameLine();
+  ImGui::TextDisabled("size");
+}
+
 }  // namespace
 
 void draw_steps_bar(Workspace& workspace) {
-  ImGui::TextUnformatted(workspace.project().name().c_str());
+  title(workspace.project().name());
   tooltip(workspace.project().absolute({}).string());
   ImGui::Separator();
   for (const WorkStep step : kSteps) draw_step_entry(workspace, step);
@@ -53,7 +70,7 @@ void draw_steps_bar(Workspace& workspace) {
   if (workspace.session) draw_history(workspace);
   ImGui::Separator();
   if (button("shortcuts", "Keys (F1)", "the list of keys")) workspace.shortcuts_shown = true;
-  ImGui::SameLine();
+  draw_size_choice(workspace);
   if (button("close", "Close", "back to the start page; everything is kept")) {
     close_project(workspace);
   }

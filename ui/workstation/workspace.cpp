@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/project/cache.h"
+#include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/stage_run.h"
 
@@ -176,6 +177,15 @@ void refresh(Workspace& workspace) {
   workspace.seen_revision = revision;
   refresh_capture(workspace);
   refresh_keys(workspace);
+}
+
+float scale_of(const Workspace& workspace) {
+  return workspace.settings.scale > 0.0 ? float(workspace.settings.scale)
+                                        : workspace.screen_scale;
+}
+
+void ask_for_scale(Workspace& workspace, float scale) {
+  workspace.scale_wanted = std::clamp(scale, kLeastScale, kLargestScale);
 }
 
 StageState state_of(const Workspace& workspace, const std::string& stage) {

@@ -74,6 +74,7 @@ struct Workspace {
   WorkStep step = WorkStep::photos;
   OptionInHand option_in_hand;
   bool shortcuts_shown = false, close_wanted = false;
+  float screen_scale = 1.0f;          // what the screen asks for where the person chose none
   std::optional<float> scale_wanted;  // the window applies it before the next frame
 
   std::unique_ptr<Session> session;  // null: the start page is shown
@@ -118,6 +119,11 @@ void redo(Workspace& workspace);
 
 // Follows the project after edits and finished jobs. Once a frame, before anything is drawn.
 void refresh(Workspace& workspace);
+
+// The size of everything in the window, and another one from the next frame on, kept within range.
+float scale_of(const Workspace& workspace);
+void ask_for_scale(Workspace& workspace, float scale);
+inline constexpr float kScaleStep = 0.25f;
 
 StageState state_of(const Workspace& workspace, const std::string& stage);
 bool is_shown(const Workspace& workspace, const std::string& stage);  // outdated or current

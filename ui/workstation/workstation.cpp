@@ -11,12 +11,12 @@
 namespace bosk {
 namespace {
 
-constexpr float kStepsEms = 13.0f, kJobsEms = 3.6f;  // widths and heights of the bars
+constexpr float kStepsEms = 13.0f, kJobsEms = 4.2f;  // widths and heights of the bars
 
 void draw_header(const Workspace& workspace) {
   const StepGuide guide = guide_of(workspace, workspace.step);
   const StepText& text = text_of(workspace.step);
-  ImGui::TextUnformatted(text.name);
+  title(text.name);
   ImGui::SameLine();
   badge(guide.tone, guide.state);
   ImGui::SameLine();
@@ -52,17 +52,17 @@ void draw_step(Workspace& workspace) {
 void draw_project(Workspace& workspace) {
   const float em = ImGui::GetFontSize();
   const float jobs_height = kJobsEms * em;
-  ImGui::BeginChild("steps", {kStepsEms * em, -jobs_height});
+  ImGui::BeginChild("steps", {kStepsEms * em, -jobs_height}, true);
   draw_steps_bar(workspace);
   ImGui::EndChild();
   ImGui::SameLine();
-  ImGui::BeginChild("step", {0, -jobs_height}, false, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild("step", {0, -jobs_height}, true, ImGuiWindowFlags_NoScrollWithMouse);
   if (workspace.session) {
     draw_header(workspace);
     draw_step(workspace);
   }
   ImGui::EndChild();
-  ImGui::BeginChild("jobs", {0, 0});
+  ImGui::BeginChild("jobs", {0, 0}, true);
   draw_jobs_bar(workspace);
   ImGui::EndChild();
 }

@@ -1,0 +1,162 @@
+// How the workstation feels, replayed without a window: what its panels cost a frame at rest and
+// while all cores compute, and how soon a stopped job is gone. Panel drawing alone: what a driver
+// takes to show it comes on top.
+//
+//   workstation_benchmark [PHOTOS WIDTH_PX HEIGHT_PX]     (12 of 720 x 960 unless given)
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/phantom/phantom.h"
+#include "core/photo/child_mode.h"
+#include "core/project/new_project.h"
+#include "tests/base/scratch_folder.h"
+#include "tests/ui/workstation/hand.h"
+#include "ui/workstation/workstation.h"
+
+namespace bosk {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kFramePause = std::chrono::milliseconds(16);  // between frames, as a screen has it
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double thread_cpu_ms() {
+  timespec spent{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return 1e3 * double(spent.tv_sec) + 1e-6 * double(spent.tv_nsec);
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
+}
+
+void print_row(const std::string& what, const std::vector<double>& wall,
+               const std::vector<double>& cpu) {
+  std::printf("%-34s %6zu %8.2f %8.2f %8.2f %10.2f\n", what.c_str(), wall.size(),
+              quantile(wall, 0.5), quantile(wall, 0.99), quantile(wall, 1.0), quantile(cpu, 0.99));
+}
+
+std::filesystem::path sample_project(const std::filesystem::path& folder, int photos, int width_px,
+                                     int height_px) {
+  PhantomOptions options;
+  options.photos = photos;
+  options.width_px = width_px;
+  options.height_px = height_px;
+  Progress quiet;
+  write_phantom(folder / "capture", make_phantom(options, quiet), quiet);
+  NewProject wanted;
+  wanted.folder = folder / "tree";
+  wanted.photos = {folder / "capture" / "photos"};
+  wanted.cameras = folder / "capture" / "transforms.json";
+  wanted.mattes = folder / "capture" / "mattes";
+  make_project(wanted, {}, false, quiet);
+  return wanted.folder;
+}
+
+struct Times {
+  std::vector<double> wall, cpu;
+
+  void frame(Hand& hand) {
+    const auto start = Clock::now();
+    const double before = thread_cpu_ms();
+    hand.frame();
+    cpu.push_back(thread_cpu_ms() - before);
+    wall.push_back(ms_since(start));
+  }
+};
+
+void time_steps(Hand& hand, const std::string& when) {
+  for (const WorkStep step : kSteps) {
+    hand.workspace().step = step;
+    hand.settle();
+    Times times;
+    for (int i = 0; i < 200; ++i) times.frame(hand);
+    print_row(std::string(text_of(step).name) + ", " + when, times.wall, times.cpu);
+  }
+}
+
+void time_while_solving(Hand& hand) {
+  Workspace& workspace = hand.workspace();
+  for (const std::string stage : {"matte", "opacity", "radiance", "texture", "compress", "pack"}) {
+    run_to(workspace, stage);
+    Times times;
+    while (workspace.jobs.busy(Lane::background)) {
+      times.frame(hand);
+      std::this_thread::sleep_for(kFramePause);
+    }
+    print_row("while it makes " + stage, times.wall, times.cpu);
+    hand.settle();
+  }
+}
+
+// Stops the whole way to the package at random moments, from a fresh start each time.
+void time_cancelling(Hand& hand, int rounds) {
+  Workspace& workspace = hand.workspace();
+  Random random(7);
+  std::vector<double> wall;
+  for (int i = 0; i < rounds; ++i) {
+    std::filesystem::remove_all(workspace.project().cache_folder());
+    workspace.results = {};
+    workspace.made.clear();
+    workspace.seen_revision.reset();
+    hand.frame();
+    run_to(workspace, "pack");
+    std::this_thread::sleep_for(std::chrono::duration<double>(random.uniform(0.0, 12.0)));
+    const auto start = Clock::now();
+    workspace.jobs.cancel_all();
+    while (workspace.jobs.busy(Lane::background)) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    wall.push_back(ms_since(start));
+    hand.frame(2);
+  }
+  print_row("stopped at a random moment", wall, {});
+}
+
+int run(int count, char** arguments) {
+  const auto number = [&](int at, int otherwise) {
+    return count > at ? std::atoi(arguments[at]) : otherwise;
+  };
+  const ScratchFolder scratch;
+  const auto project =
+      sample_project(scratch.path(), number(1, 12), number(2, 720), number(3, 960));
+  Hand hand;
+  open_project(hand.workspace(), project);
+  hand.settle();
+  std::printf("%-34s %6s %8s %8s %8s %10s\n", "frames of 1400 x 900", "count", "median", "p99",
+              "worst", "p99 CPU");
+  std::printf("%-34s %6s %8s %8s %8s %10s\n", "", "", "ms", "ms", "ms", "ms");
+  time_steps(hand, "nothing made");
+  time_while_solving(hand);
+  time_steps(hand, "all made");
+  time_cancelling(hand, 40);
+  return 0;
+}
+
+}  // namespace
+}  // namespace bosk
+
+int main(int count, char** arguments) {
+  if (const auto status = bosk::run_child_mode(count, arguments)) return *status;
+  try {
+    return bosk::run(count, arguments);
+  } catch (const bosk::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 3;
+  }
+}
