@@ -1,6 +1,7 @@
 #include "core/package/codebook_curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -163,6 +164,27 @@ std::vector<int> usual_codeword_counts() {
   std::vector<int> counts;
   for (int count = 16; count <= 4096; count *= 2) counts.push_back(count);
   return counts;
+}
+
+CodebookPoint at_codewords(std::span<const CodebookPoint> curve, int codewords) {
+  assert(!curve.empty());
+  const auto after = std::find_if(curve.begin(), curve.end(), [&](const CodebookPoint& point) {
+    return point.codewords >= codewords;
+  });
+  if (after == curve.begin()) return curve.front();
+  if (after == curve.end()) return curve.back();
+  const CodebookPoint &a = *(after - 1), &b = *after;
+  const double part =
+      std::log(double(codewords) / a.codewords) / std::log(double(b.codewords) / a.codewords);
+  const auto bytes = [&](std::size_t from, std::size_t to) {
+    return std::size_t(std::lround(std::lerp(double(from), double(to), part)));
+  };
+  return {codewords,
+          std::lerp(a.colour_psnr_db, b.colour_psnr_db, part),
+          std::lerp(a.alpha_psnr_db, b.alpha_psnr_db, part),
+          bytes(a.colour_bytes, b.colour_bytes),
+          bytes(a.alpha_bytes, b.alpha_bytes),
+          bytes(a.other_bytes, b.other_bytes)};
 }
 
 std::vector<CodebookPoint> codebook_curve(const Billboards& billboards,

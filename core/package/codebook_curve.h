@@ -27,6 +27,10 @@ using OnCodebookPoint = std::function<void(const CodebookPoint&)>;
 // 16, 32, ... 4096.
 std::vector<int> usual_codeword_counts();
 
+// The curve between its points, straight over the logarithm of `codewords`; its ends beyond them.
+// Needs a point or more, in ascending order.
+CodebookPoint at_codewords(std::span<const CodebookPoint> curve, int codewords);
+
 // Rate against distortion for each of `codewords`, in that order, each told as soon as it is known;
 // numbers whose codewords don't fit into the atlas are left out. Codes and packs a sample of the
 // tree (whole subtrees from all over it) with both codebooks of that size, by all other options,

@@ -49,6 +49,21 @@ TEST(ViewTextures, ShowCellsFromTheFirstAskedFor) {
   EXPECT_EQ(sheet.picture(5 + 2, 1), texel_of(trees.levels[0], 4, 1, 2, 1));
 }
 
+TEST(CodedViewTextures, ShowEachCellAsItsOwnSheetDoes) {
+  const Billboards trees = leafy_billboards({.cells = 40, .views = 2, .texels = 8});
+  Progress quiet;
+  const CodedTextures coded =
+      compress_billboards(trees, {.colour_codewords = 8, .alpha_codewords = 8}, quiet);
+  const auto& atlas = coded.atlas_rgba;
+  const TileSheet all = coded_view_textures(trees, coded, atlas, 0, 1, 30, 10, 5);
+  const TileSheet one = coded_cell_textures(trees, coded, atlas, 0, 37, 2);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      EXPECT_EQ(all.picture(2 * 9 + x, 9 + y), one.picture(9 + x, y));  // tile 7 of 5 across
+    }
+  }
+}
+
 TEST(Codewords, AreShownInTheOrderOfTheAtlas) {
   const Billboards trees = leafy_billboards({.cells = 60});
   Progress quiet;

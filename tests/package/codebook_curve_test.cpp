@@ -106,6 +106,18 @@ TEST(CodebookCurve, TellsEachPointAsMoreCodewordsCostAndKeepMore) {
   }
 }
 
+TEST(AtCodewords, IsStraightOverTheLogarithmAndEndsWithTheCurve) {
+  const std::vector<CodebookPoint> curve{{16, 20.0, 10.0, 1000, 100, 7},
+                                         {64, 24.0, 30.0, 3000, 500, 7}};
+  const CodebookPoint middle = at_codewords(curve, 32);  // half the way from 16 to 64
+  EXPECT_EQ(middle.codewords, 32);
+  EXPECT_NEAR(middle.colour_psnr_db, 22.0, 1e-12);
+  EXPECT_NEAR(middle.alpha_psnr_db, 20.0, 1e-12);
+  EXPECT_EQ(middle.package_bytes(), 2000u + 300u + 7u);
+  EXPECT_EQ(at_codewords(curve, 2).codewords, 16);
+  EXPECT_EQ(at_codewords(curve, 4096).codewords, 64);
+}
+
 TEST(CodebookCurve, LeavesOutWhatDoesNotFitIntoTheAtlas) {
   const Billboards tree = leafy_tree(4, 6, 2200);  // 3 levels, 4096 codewords each: 12288 tiles
   Billboards larger = tree;

@@ -55,6 +55,7 @@ bool tell(VolumeWatch& watch, StageWatch& stage_watch, const std::string& stage,
   stage_watch.passes.push_back(pass);
   seen.passes = stage_watch.passes;
   watch.looks.put(std::move(seen));
+  ++watch.told;
   return !watch.stop_wanted.exchange(false);
 }
 

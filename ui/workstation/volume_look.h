@@ -33,6 +33,7 @@ struct VolumeLook {
 // What a run tells of its volume, and hears: shared by the panel and the run's watchers.
 struct VolumeWatch {
   Mailbox<VolumeLook> looks;
+  std::atomic<int> told = 0;              // looks so far
   std::atomic<bool> stop_wanted = false;  // end the stage at work after its pass, and keep it
 };
 

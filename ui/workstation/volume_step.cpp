@@ -80,6 +80,9 @@ void draw_run_buttons(Workspace& workspace) {
   VolumeStepState& state = workspace.volume;
   const bool stopping = state.watch && state.watch->stop_wanted;
   std::string reason = making ? "" : "nothing is at work";
+  if (making && (!state.watch || state.watch->told == 0)) {
+    reason = "it has not made a pass yet: there is nothing to keep";
+  }
   if (making && stopping) reason = "it ends after this pass";
   if (button("volume/stop", "Stop and keep",
              "ends the stage at work after its present pass and keeps what it has; one undo and "
