@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/evaluation.h"
-#include "app/report.h"
-#include "app/run_summary.h"
+#include "app/project_work.h"
+#include "core/base/number_text.h"
+#include "core/project/evaluation.h"
+#include "core/project/report.h"
 
 namespace bosk {
 namespace {
@@ -17,8 +18,14 @@ struct EvaluateArguments {
 };
 
 Evaluation evaluate(const EvaluateArguments& arguments, ProjectWork& work, Console& console) {
-  if (arguments.cameras.empty()) return evaluate_held_out(work, arguments.hold_out, console);
-  return evaluate_against(work, arguments.cameras, arguments.truth, console);
+  const EvaluationSource source{
+      work.project(), work.capture(),
+      [&work](const Capture& capture, const std::vector<std::string>& wanted, Share share) {
+        return work.run(capture, wanted, share);
+      }};
+  Progress& progress = console.progress();
+  if (arguments.cameras.empty()) return evaluate_held_out(source, arguments.hold_out, progress);
+  return evaluate_against(source, arguments.cameras, arguments.truth, progress);
 }
 
 ExitStatus judged(const EvaluateArguments& arguments, const ViewScore& mean, Console& console) {

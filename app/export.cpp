@@ -5,59 +5,25 @@
 #include "app/commands.h"
 #include "app/project_work.h"
 #include "core/base/system_error.h"
-#include "core/image/image_io.h"
 #include "core/photo/camera_files.h"
-#include "core/project/original_pixels.h"
+#include "core/project/export.h"
 
 namespace bosk {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct ExportArguments {
   std::string source, format, output;
 };
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw system_error(folder, "created", failure.value());
-}
-
-// Cameras as photographed, named by the photos' own files.
-std::size_t export_cameras(ProjectWork& work, const ExportArguments& arguments) {
-  const Run run = work.run({"view"});
-  std::vector<Camera> cameras;
-  std::vector<fs::path> images;
-  for (const Photo& view : *run.results.views) {
-    cameras.push_back(view.original_camera);
-    for (const SourceFile& photo : work.capture().photos) {
-      if (photo.name == view.name) images.push_back(photo.path.filename());
-    }
-  }
-  write_cameras(cameras, arguments.format, arguments.output, images);
-  return cameras.size();
-}
-
-// Mattes in the pixels of the photos as taken, so that they serve beside the original photos.
-std::size_t export_mattes(ProjectWork& work, const ExportArguments& arguments, Console& console) {
-  const Run run = work.run({"view", "matte"});
-  const Photos& views = *run.results.views;
-  make_folder(arguments.output);
-  console.progress().begin("Writing mattes", views.size());
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const Image<glm::vec4> matte = in_original_pixels((*run.results.mattes)[i].rgba, views[i]);
-    write_png(fs::path(arguments.output) / (views[i].name + ".png"), rgba8_from_straight(matte));
-    console.progress().advance();
-  }
-  return views.size();
-}
-
 ExitStatus export_something(const ExportArguments& arguments, Console& console) {
   ProjectWork work(arguments.source, {}, console);
   const bool mattes = arguments.format == "mattes";
+  const Results results = work.run(mattes ? std::vector<std::string>{"view", "matte"}
+                                          : std::vector<std::string>{"view"})
+                              .results;
   const std::size_t count =
-      mattes ? export_mattes(work, arguments, console) : export_cameras(work, arguments);
+      mattes ? export_mattes(*results.views, *results.mattes, arguments.output, console.progress())
+             : export_cameras(*results.views, work.capture(), arguments.format, arguments.output);
   console.result(printable(arguments.output) + ": " + std::to_string(count) +
                      (mattes ? " mattes" : " cameras"),
                  {{"output", arguments.output}, {"format", arguments.format}, {"count", count}});

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/run_summary.h"
+#include "core/base/number_text.h"
 #include "core/base/system_error.h"
 #include "core/package/container.h"
 #include "core/package/reader.h"

@@ -1,25 +1,21 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/stage_options.h"
 #include "core/base/system_error.h"
-#include "core/image/image_io.h"
 #include "core/package/reader.h"
 #include "core/photo/camera_files.h"
 #include "core/render/gl/forest_renderer.h"
 #include "core/render/gl/headless_context.h"
 #include "core/render/gl/offscreen_target.h"
+#include "core/render/picture_files.h"
 #include "core/render/reference.h"
 
 namespace bosk {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct RenderArguments {
   std::string package, cameras, output;
@@ -27,17 +23,8 @@ struct RenderArguments {
   OptionTexts options;
 };
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw system_error(folder, "created", failure.value());
-}
-
-// Draws one camera's picture, straight colour.
-using Painter = std::function<Image<glm::vec4>(const Camera&)>;
-
-Painter cpu_painter(const std::shared_ptr<const PreparedTree>& tree, const RenderOptions& options,
-                    Progress& progress) {
+CameraPainter cpu_painter(const std::shared_ptr<const PreparedTree>& tree,
+                          const RenderOptions& options, Progress& progress) {
   return [=, &progress](const Camera& camera) {
     return render_tree(*tree, camera, options, progress);
   };
@@ -64,15 +51,10 @@ struct GlStand {
   ForestDrawList list;
 };
 
-Painter gl_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options) {
+CameraPainter gl_painter(std::shared_ptr<const PreparedTree> tree, const RenderOptions& options) {
   const auto stand = std::make_shared<GlStand>(
       std::move(tree), options.gpu_texels ? AtlasTexels::bc3 : AtlasTexels::automatic);
   return [=](const Camera& camera) { return stand->draw(camera, options); };
-}
-
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
 }
 
 ExitStatus render_views(const RenderArguments& arguments, Console& console) {
@@ -81,21 +63,14 @@ ExitStatus render_views(const RenderArguments& arguments, Console& console) {
   const TreeModel model = load_tree(arguments.package);
   const auto tree = std::make_shared<PreparedTree>(model);
   const std::vector<Camera> cameras = read_cameras(arguments.cameras);
-  const Painter paint =
+  const CameraPainter paint =
       arguments.gl ? gl_painter(tree, options) : cpu_painter(tree, options, console.progress());
-  make_folder(arguments.output);
   std::vector<std::string> pictures;
   std::vector<double> milliseconds;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    console.progress().scope(double(i) / double(cameras.size()),
-                             double(i + 1) / double(cameras.size()));
-    console.progress().begin("Drawing " + cameras[i].name, 1);
-    const auto start = std::chrono::steady_clock::now();
-    const Image<glm::vec4> view = paint(cameras[i]);
-    milliseconds.push_back(std::round(10.0 * ms_since(start)) / 10.0);
-    const fs::path picture = fs::path(arguments.output) / (cameras[i].name + ".png");
-    write_png(picture, rgba8_from_straight(view));
-    pictures.push_back(picture.string());
+  for (const PictureFile& file :
+       write_pictures(cameras, paint, arguments.output, console.progress())) {
+    pictures.push_back(file.path.string());
+    milliseconds.push_back(std::round(10.0 * file.draw_ms) / 10.0);
   }
   console.result(printable(arguments.output) + ": " + std::to_string(cameras.size()) + " pictures",
                  {{"pictures", pictures}, {"milliseconds", milliseconds}});

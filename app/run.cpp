@@ -6,8 +6,9 @@
 #include "app/commands.h"
 #include "app/project_work.h"
 #include "app/run_summary.h"
-#include "core/base/atomic_file.h"
+#include "core/base/number_text.h"
 #include "core/base/system_error.h"
+#include "core/project/export.h"
 #include "core/project/stages.h"
 
 namespace bosk {
@@ -20,20 +21,13 @@ struct RunArguments {
   StageChoices choices;
 };
 
-bool holds(const fs::path& path, const std::vector<std::byte>& bytes) {
-  std::error_code none;
-  return fs::file_size(path, none) == bytes.size() && read_file(path, bytes.size()) == bytes;
-}
-
 ExitStatus run_all(const RunArguments& arguments, Console& console) {
   ProjectWork work(arguments.folder, arguments.choices, console);
   const Run run = work.run({"pack"});
   const std::vector<std::byte>& package = *run.results.package;
-  const fs::path output = arguments.output.empty()
-                              ? work.project().folder / (work.project().name() + ".bosk")
-                              : fs::path(arguments.output);
-  // A file that is right already keeps its time, so that make and its like agree
-  if (!holds(output, package)) write_file_atomically(output, package);
+  const fs::path output =
+      arguments.output.empty() ? usual_package_path(work.project()) : fs::path(arguments.output);
+  write_package_file(output, package);
   console.result(
       printable(output.string()) + ": " + size_text(package.size()) + times_text(run.times),
       {{"package", output.string()}, {"bytes", package.size()}, {"stages", times_json(run.times)}});

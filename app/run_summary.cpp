@@ -1,8 +1,8 @@
 #include "app/run_summary.h"
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "core/base/number_text.h"
 
 namespace bosk {
 
@@ -22,18 +22,6 @@ nlohmann::json times_json(const std::vector<StageTime>& times) {
         {{"stage", time.stage}, {"seconds", time.seconds}, {"from_cache", time.from_cache}});
   }
   return all;
-}
-
-std::string size_text(std::size_t bytes) {
-  const double size = double(bytes);
-  if (size < 1024.0 * 1024.0) return number_text(size / 1024.0, 1) + " KiB";
-  return number_text(size / (1024.0 * 1024.0), 2) + " MiB";
-}
-
-std::string number_text(double number, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, number);
-  return text.data();
 }
 
 }  // namespace bosk

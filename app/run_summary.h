@@ -12,9 +12,4 @@ namespace bosk {
 std::string times_text(const std::vector<StageTime>& times);
 nlohmann::json times_json(const std::vector<StageTime>& times);
 
-// "2.3 MiB"
-std::string size_text(std::size_t bytes);
-// Fixed digits after the point.
-std::string number_text(double number, int digits);
-
 }  // namespace bosk

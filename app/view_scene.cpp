@@ -48,25 +48,6 @@ Image<float> read_density(const std::string& path, const Progress& progress) {
   return density;
 }
 
-std::vector<TreeInstance> scattered(const SceneArguments& arguments, const SceneTrees& trees,
-                                    Console& console) {
-  std::vector<double> crowns;
-  for (const auto& tree : trees) crowns.push_back(tree->crown_radius_m);
-  if (arguments.scatter.trees == 0) return line_up(crowns);
-  Image<float> density;
-  if (!arguments.density.empty()) density = read_density(arguments.density, console.progress());
-  return scatter_trees(crowns, density, arguments.scatter);
-}
-
-double radius_of(const std::vector<TreeInstance>& instances) {
-  glm::dvec2 low(INFINITY), high(-INFINITY);
-  for (const TreeInstance& instance : instances) {
-    low = glm::min(low, glm::dvec2(instance.place));
-    high = glm::max(high, glm::dvec2(instance.place));
-  }
-  return instances.empty() ? 0.0 : 0.5 * std::max(high.x - low.x, high.y - low.y);
-}
-
 // Whether a table told heights other than those of the terrain that it was read with.
 bool has_own_heights(const std::vector<TreeInstance>& instances, const Terrain& terrain) {
   return std::any_of(instances.begin(), instances.end(), [&](const TreeInstance& instance) {
@@ -88,21 +69,20 @@ ForestScene make_scene(const SceneArguments& arguments, Console& console) {
   check(arguments);
   SceneTrees trees = load_trees(arguments.packages, console);
   const Terrain hills = terrain_of(arguments.scatter);
-  std::vector<TreeInstance> instances;
   if (arguments.positions.empty()) {
-    instances = scattered(arguments, trees, console);
-  } else {
-    std::vector<std::string> names;
-    for (const auto& tree : trees) names.push_back(tree->name);
-    instances = read_positions(arguments.positions, names, hills);
-    if (has_own_heights(instances, hills)) {
-      const Terrain plane = ground_through(instances);
-      return ForestScene(std::move(trees), std::move(instances), plane);
-    }
+    Image<float> density;
+    if (!arguments.density.empty()) density = read_density(arguments.density, console.progress());
+    std::vector<TreeInstance> instances = places_of(trees, density, arguments.scatter);
+    return scene_on(hills, std::move(trees), std::move(instances));
   }
-  const Terrain terrain = drawn_terrain(hills, radius_of(instances));
-  stand_on(terrain, instances);
-  return ForestScene(std::move(trees), std::move(instances), terrain);
+  std::vector<std::string> names;
+  for (const auto& tree : trees) names.push_back(tree->name);
+  std::vector<TreeInstance> instances = read_positions(arguments.positions, names, hills);
+  if (!has_own_heights(instances, hills)) {
+    return scene_on(hills, std::move(trees), std::move(instances));
+  }
+  const Terrain plane = ground_through(instances);
+  return ForestScene(std::move(trees), std::move(instances), plane);
 }
 
 }  // namespace bosk

@@ -29,6 +29,9 @@ class ForestPicture {
 
   // The picture drawn last, opaque. Draw one first.
   Image<glm::u8vec3> read() const;
+  // OpenGL's name of the texture that it lies in, bottom row first; 0 before the first. Another
+  // size makes another texture.
+  unsigned colour_texture() const { return target_ ? target_->colour_texture() : 0; }
   // Copies it into another framebuffer of the same size: 0 is the window's.
   void show(unsigned framebuffer) const;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/render/billboard_geometry.h"
-#include "core/render/scatter.h"
 
 namespace bosk {
 namespace {
@@ -54,6 +53,15 @@ TreeModel on_its_foot(TreeModel model) {
   return model;
 }
 
+double radius_of(const std::vector<TreeInstance>& instances) {
+  glm::dvec2 low(INFINITY), high(-INFINITY);
+  for (const TreeInstance& instance : instances) {
+    low = glm::min(low, glm::dvec2(instance.place));
+    high = glm::max(high, glm::dvec2(instance.place));
+  }
+  return instances.empty() ? 0.0 : 0.5 * std::max(high.x - low.x, high.y - low.y);
+}
+
 }  // namespace
 
 SceneTree::SceneTree(std::string tree_name, TreeModel tree_model)
@@ -97,6 +105,19 @@ Terrain drawn_terrain(const Terrain& terrain, double radius_m) {
   Terrain drawn = terrain;
   drawn.finest_m = kStepsOfAHill * ground_grid(terrain, radius_m).step_m;
   return drawn;
+}
+
+std::vector<TreeInstance> places_of(const SceneTrees& trees, const Image<float>& density,
+                                    const ScatterOptions& options) {
+  std::vector<double> crowns;
+  for (const auto& tree : trees) crowns.push_back(tree->crown_radius_m);
+  return options.trees == 0 ? line_up(crowns) : scatter_trees(crowns, density, options);
+}
+
+ForestScene scene_on(const Terrain& hills, SceneTrees trees, std::vector<TreeInstance> instances) {
+  const Terrain terrain = drawn_terrain(hills, radius_of(instances));
+  stand_on(terrain, instances);
+  return ForestScene(std::move(trees), std::move(instances), terrain);
 }
 
 Image<glm::vec3> ground_points(const ForestScene& scene) {

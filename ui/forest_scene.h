@@ -6,6 +6,7 @@
 
 #include "core/image/image.h"
 #include "core/render/forest.h"
+#include "core/render/scatter.h"
 #include "core/render/terrain.h"
 #include "ui/camera_controls.h"
 
@@ -46,6 +47,13 @@ GroundGrid ground_grid(const Terrain& terrain, double radius_m);
 // The terrain without what such a grid cannot show, so that trunks stand on the ground that is
 // drawn.
 Terrain drawn_terrain(const Terrain& terrain, double radius_m);
+
+// Places for the trees: in a row, or scattered (core/render/scatter.h), as `options.trees` says.
+std::vector<TreeInstance> places_of(const SceneTrees& trees, const Image<float>& density,
+                                    const ScatterOptions& options);
+// The trees put on the hills, as far as those can be drawn.
+ForestScene scene_on(const Terrain& hills, SceneTrees trees, std::vector<TreeInstance> instances);
+
 // Rows from north to south, columns from west to east.
 Image<glm::vec3> ground_points(const ForestScene& scene);
 

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 #include "ui/forest_picture.h"
-#include "ui/frame_budget.h"
+#include "ui/picture_pace.h"
 #include "ui/view_marks.h"
 #include "ui/viewer_input.h"
 #include "ui/viewer_state.h"
@@ -21,20 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestWait = 0.25;          // seconds: a signal to stop is heard within it
-constexpr double kMessageTime = 5.0;           // seconds that a message is shown
-constexpr int kFramesAfterEvent = 3;           // Dear ImGui settles its windows within so many
-constexpr std::uint64_t kFirstBudget = 20000;  // billboards, before any picture was timed
-
-// All that the picture depends on but its budget; another one asks for another picture.
-struct PictureKey {
-  glm::ivec2 size_px{0};
-  ViewCamera camera;
-  std::string options;
-  double wind_time_s = 0.0;
-
-  bool operator==(const PictureKey&) const = default;
-};
+constexpr double kLongestWait = 0.25;  // seconds: a signal to stop is heard within it
+constexpr double kMessageTime = 5.0;   // seconds that a message is shown
+constexpr int kFramesAfterEvent = 3;   // Dear ImGui settles its windows within so many
 
 // bosk-0001.png, the first that is free.
 fs::path free_picture_name(const fs::path& folder) {
@@ -131,40 +119,26 @@ class Viewer {
     ImGui::End();
   }
 
-  // Draws a new picture when anything that it shows has changed.
   void draw_picture(const glm::ivec2& size, double now) {
-    const ViewOptions& options = state_.options;
-    const PictureKey key{size, state_.camera, values_text(describe(state_.options)),
-                         options.wind_m > 0.0 ? now : 0.0};
-    if (drawn_ == key) return;
-    drawn_ = key;
-    const auto most = std::uint64_t(options.budget);
-    const double target_ms = time_for_trees(options.frame_ms, state_.figures.scenery_ms);
-    moving_budget_ = options.frame_ms > 0.0
-                         ? adapted_budget(moving_budget_, moving_cost_, target_ms, most)
-                         : most;
-    draw_with(moving_budget_);
-    moving_cost_ = cost();
+    draw_when_changed(
+        pace_, picture_key(state_.camera, size, state_.options, now), state_.options,
+        [this](const PictureKey& key, std::uint64_t budget) { return draw_with(key, budget); });
+    state_.figures = pace_.figures;
   }
 
-  // Draws the same again, now that nothing moves, if a better picture can be had.
   bool refine() {
-    const ViewOptions& options = state_.options;
-    if (!drawn_ || is_hidden() || state_.figures.detail >= options.detail) return false;
-    const double allowed_ms =
-        options.still_ms > 0.0 ? time_for_trees(options.still_ms, state_.figures.scenery_ms) : 0.0;
-    const auto budget =
-        still_budget(state_.figures.budget, cost(), allowed_ms, std::uint64_t(options.budget));
-    if (budget) draw_with(*budget);
-    return budget.has_value();
+    if (is_hidden()) return false;
+    const bool refined = refine_at_rest(
+        pace_, state_.options,
+        [this](const PictureKey& key, std::uint64_t budget) { return draw_with(key, budget); });
+    state_.figures = pace_.figures;
+    return refined;
   }
 
-  void draw_with(std::uint64_t budget) {
-    const Camera camera = camera_of(drawn_->camera, drawn_->size_px, view_angle(state_.options));
-    state_.figures = picture_.draw(camera, state_.options, budget, drawn_->wind_time_s);
+  FrameFigures draw_with(const PictureKey& key, std::uint64_t budget) {
+    const Camera camera = camera_of(key.camera, key.size_px, view_angle(state_.options));
+    return picture_.draw(camera, state_.options, budget, key.wind_time_s);
   }
-
-  FrameCost cost() const { return {state_.figures.trees_ms, state_.figures.billboards}; }
 
   void save_picture(const glm::ivec2& size) {
     state_.picture_wanted = false;
@@ -190,9 +164,7 @@ class Viewer {
   Window window_;
   ForestPicture picture_;
   ViewerState state_;
-  std::optional<PictureKey> drawn_;
-  std::uint64_t moving_budget_ = kFirstBudget;
-  FrameCost moving_cost_;
+  PicturePace pace_;
   bool moving_ = false;
   double last_frame_ = 0.0, message_end_ = 0.0;
 };

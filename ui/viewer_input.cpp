@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "ui/workstation/camera_mouse.h"
+
 namespace bosk {
 namespace {
 
@@ -58,22 +60,9 @@ void apply_switches(ViewerState& state, const Presses& pressed) {
 }
 
 void apply_mouse(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const glm::dvec2 delta(io.MouseDelta.x * io.DisplayFramebufferScale.x,
-                         io.MouseDelta.y * io.DisplayFramebufferScale.y);
-  const double height = std::max(1, size_px.y);
-  if (io.MouseWheel != 0.0f) {
-    state.camera = zoomed(state.camera, double(io.MouseWheel), scene.terrain);
-  }
-  if (delta == glm::dvec2(0.0)) return;
-  const bool pan = ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
-                   ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                   (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyShift);
-  if (pan) {
-    state.camera = panned(state.camera, delta, height, view_angle(state.options), scene.terrain);
-  } else if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    state.camera = dragged(state.camera, delta, height, scene.terrain);
-  }
+  state.camera = zoomed_by_wheel(state.camera, scene.terrain);
+  state.camera = moved_by_drag(state.camera, scene.terrain, double(size_px.y),
+                               view_angle(state.options));
 }
 
 }  // namespace

@@ -61,7 +61,15 @@ void Window::listen(GLFWwindow* window) {
     auto& dropped = heard_by(of).dropped;
     dropped.insert(dropped.end(), paths, paths + count);
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { note(of); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int) {
+    note(of);
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    Heard& heard = heard_by(of);
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(of, &x, &y);
+    (action == GLFW_PRESS ? heard.left.down : heard.left.up) = heard.mouse_path.size();
+    heard.mouse_path.emplace_back(x, y);
+  });
   glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { note(of); });
   glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
     note(of);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,11 @@ class Window {
   std::vector<std::filesystem::path> take_dropped() { return std::exchange(heard_.dropped, {}); }
   // Where the mouse was since the last call, oldest first: a slow frame sees only its last place.
   std::vector<glm::vec2> take_mouse_path() { return std::exchange(heard_.mouse_path, {}); }
+  // How many of those places came before the left button last went down or up; none: it didn't.
+  struct LeftButton {
+    std::optional<std::size_t> down, up;
+  };
+  LeftButton take_left_button() { return std::exchange(heard_.left, {}); }
   // Whether the window lost the keyboard since the last call.
   bool take_focus_loss() { return std::exchange(heard_.focus_lost, false); }
   // What the screen asks for: 1 at about 96 dots an inch.
@@ -57,6 +63,7 @@ class Window {
     std::vector<int> pressed_keys, typed_keys;
     std::vector<std::filesystem::path> dropped;
     std::vector<glm::vec2> mouse_path;
+    LeftButton left;
     bool focus_lost = false;
   };
   static void listen(GLFWwindow* window);

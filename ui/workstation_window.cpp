@@ -8,6 +8,7 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/gl_pictures.h"
+#include "ui/gl_tree_pictures.h"
 #include "ui/window.h"
 #include "ui/workstation/workspace.h"
 #include "ui/workstation/workstation.h"
@@ -35,6 +36,7 @@ class WorkstationLoop {
         window_("Bosk", start.size, "use Bosk's commands, see `bosk --help`"),
         workspace_(
             gl_picture_device(), [this] { wake(); }, settings_folder()) {
+    workspace_.tree_pictures = gl_tree_pictures(window_.driver());
     workspace_.screen_scale = window_.content_scale();
     window_.set_theme(scale_of(workspace_));
     if (start.project) open_project(workspace_, *start.project);
@@ -44,10 +46,13 @@ class WorkstationLoop {
     int frames_due = kFramesAfterEvent;
     while (!window_.close_asked() && !workspace_.close_wanted) {
       progress.check();
-      const bool heard = window_.wait(frames_due > 0 ? 0.0 : kLongestWait);
+      const bool at_once = frames_due > 0 || workspace_.next_frame == NextFrame::at_once;
+      const bool heard = window_.wait(at_once ? 0.0 : kLongestWait);
       if (heard || woken_.exchange(false)) frames_due = kFramesAfterEvent;
       save_at_rest();
-      if (frames_due == 0) continue;
+      workspace_.input.at_rest = !at_once && !heard;
+      if (frames_due == 0 && workspace_.next_frame == NextFrame::when_heard) continue;
+      frames_due = std::max(frames_due, 1);
       --frames_due;
       frame();
     }
@@ -61,7 +66,10 @@ class WorkstationLoop {
 
   void frame() {
     const glm::ivec2 size = window_.size_px();
-    if (size.x < 1 || size.y < 1) return refresh(workspace_);
+    if (size.x < 1 || size.y < 1) {
+      workspace_.next_frame = NextFrame::when_heard;
+      return refresh(workspace_);
+    }
     take_input();
     if (workspace_.scale_wanted) rescale();
     window_.begin_overlay();
@@ -75,6 +83,9 @@ class WorkstationLoop {
     workspace_.input.keys = window_.take_typed_keys();
     workspace_.input.dropped = window_.take_dropped();
     workspace_.input.focus_lost = window_.take_focus_loss();
+    const Window::LeftButton left = window_.take_left_button();
+    workspace_.input.pressed_at = left.down;
+    workspace_.input.released_at = left.up;
     for (const glm::vec2& place : window_.take_mouse_path()) {
       workspace_.input.mouse_path.emplace_back(place.x, place.y);
     }
@@ -103,9 +114,13 @@ class WorkstationLoop {
         "Saving",
         [project = workspace_.project()](Progress&) {
           save_project(project);
-          return true;
+          return project.journal;
         },
-        [](bool) {}, Lane::interactive, "save");
+        [this, folder = workspace_.project().folder](const JournalPlace& place) {
+          const bool same = workspace_.session && workspace_.project().folder == folder;
+          if (same) workspace_.session->note_saved(place);
+        },
+        Lane::interactive, "save");
   }
 
   void tell_landmarks() {

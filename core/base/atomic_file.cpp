@@ -137,4 +137,12 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t max_bytes) 
   return bytes;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure && !std::filesystem::is_directory(folder)) {
+    throw system_error(folder, "created", failure.value());
+  }
+}
+
 }  // namespace bosk

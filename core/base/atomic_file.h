@@ -20,4 +20,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 // larger than `max_bytes`.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
+// With all folders above it; nothing where it is there. Throws Error.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace bosk

@@ -30,26 +30,17 @@ glm::dvec3 axis_in_world(const Camera& camera) {
   return glm::transpose(camera.camera_from_world.rotation) * glm::dvec3(0.0, 0.0, 1.0);
 }
 
-// Where all optical axes nearly meet, out to where the photos end; none when they are too parallel.
+// Out to where the photos end.
 std::optional<Cube> cube_seen_by_all(const Photos& photos) {
-  glm::dmat3 normal(0.0);
-  glm::dvec3 right(0.0);
-  for (const Photo& photo : photos) {
-    const glm::dvec3 axis = axis_in_world(photo.camera);
-    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(axis, axis);
-    normal += across;
-    right += across * photo.camera.centre_in_world();
-  }
-  const double count = double(photos.size());
-  // The two large eigenvalues of normal / count are at most 1, so the smallest is at least this
-  if (!(glm::determinant(normal / count) > kLeastSpread)) return std::nullopt;
-  Cube cube{glm::inverse(normal) * right, 0.0};
+  const auto centre = place_seen_by_all(photos);
+  if (!centre) return std::nullopt;
+  Cube cube{*centre, 0.0};
   for (const Photo& photo : photos) {
     const Lens& lens = photo.camera.lens;
     const double distance = glm::distance(photo.camera.centre_in_world(), cube.centre);
     const double slope =
         0.5 * std::max(lens.width_px / lens.focal_px.x, lens.height_px / lens.focal_px.y);
-    cube.half_edge += distance * std::min(slope, 0.9) / count;
+    cube.half_edge += distance * std::min(slope, 0.9) / double(photos.size());
   }
   return cube;
 }
@@ -128,6 +119,20 @@ Image<float> most_along_rays(const Photo& photo, const std::vector<float>& voxel
 }
 
 }  // namespace
+
+std::optional<glm::dvec3> place_seen_by_all(const Photos& photos) {
+  glm::dmat3 normal(0.0);
+  glm::dvec3 right(0.0);
+  for (const Photo& photo : photos) {
+    const glm::dvec3 axis = axis_in_world(photo.camera);
+    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(axis, axis);
+    normal += across;
+    right += across * photo.camera.centre_in_world();
+  }
+  // The two large eigenvalues of normal / count are at most 1, so the smallest is at least this
+  if (!(glm::determinant(normal / double(photos.size())) > kLeastSpread)) return std::nullopt;
+  return glm::inverse(normal) * right;
+}
 
 std::vector<Image<float>> hull_tilts(const Photos& photos,
                                      const std::vector<Image<float>>& mean_alpha, float weight,

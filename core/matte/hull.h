@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -7,6 +8,9 @@
 #include "core/photo/photo.h"
 
 namespace bosk {
+
+// Where all optical axes nearly meet, in the world; none when they are too parallel.
+std::optional<glm::dvec3> place_seen_by_all(const Photos& photos);
 
 // For each photo a coarse grid of how much less likely opaque is, 0 or negative (natural
 // logarithm), because along that ray there is no place that the other photos too hold for tree.

@@ -1,17 +1,11 @@
 #include "core/matte/matte.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "core/base/error.h"
-#include "core/image/colour.h"
-#include "core/matte/clean_alpha.h"
-#include "core/matte/foreground.h"
 #include "core/matte/hull.h"
-#include "core/matte/local_alpha.h"
+#include "core/matte/photo_matte.h"
 #include "core/matte/study.h"
 
 namespace bosk {
@@ -26,28 +20,6 @@ constexpr float kStrangeGain =
     3.0f;  // a factor in linear light that a session's photos rarely differ by
 constexpr double kNothing = 2e-4,
                  kAll = 0.98;  // mean alpha of a photo that shows no tree, or nothing else
-
-Image<glm::vec3> linear_light(const Image<glm::vec3>& srgb, const Progress& progress) {
-  Image<glm::vec3> linear(srgb.width(), srgb.height());
-  tbb::parallel_for(0, srgb.height(), [&](int y) {
-    progress.check();
-    for (int x = 0; x < srgb.width(); ++x) linear(x, y) = linear_from_srgb(srgb(x, y));
-  });
-  return linear;
-}
-
-Matte matte_from_linear(const std::string& name, const Image<glm::vec3>& linear,
-                        const Image<float>& alpha, Progress& progress) {
-  const Image<glm::vec3> front = estimate_foreground(linear, alpha, progress);
-  Matte matte{name, {alpha.width(), alpha.height()}};
-  tbb::parallel_for(0, alpha.height(), [&](int y) {
-    progress.check();
-    for (int x = 0; x < alpha.width(); ++x) {
-      matte.rgba(x, y) = glm::vec4(srgb_from_linear(front(x, y)), alpha(x, y));
-    }
-  });
-  return matte;
-}
 
 void warn_of_fit(const Photo& photo, const Study& study, Progress& progress) {
   if (study.lesson.teacher->photo == &photo) return;
@@ -64,10 +36,10 @@ void warn_of_fit(const Photo& photo, const Study& study, Progress& progress) {
   }
 }
 
-void warn_of_result(const Photo& photo, const Image<float>& alpha, Progress& progress) {
+void warn_of_result(const Photo& photo, const Matte& matte, Progress& progress) {
   double sum = 0.0;
-  for (const float value : alpha.pixels()) sum += value;
-  const double mean = sum / double(std::max<std::size_t>(1, alpha.size()));
+  for (const glm::vec4& pixel : matte.rgba.pixels()) sum += pixel.a;
+  const double mean = sum / double(std::max<std::size_t>(1, matte.rgba.size()));
   if (mean < kNothing) {
     progress.warn("photo " + photo.name +
                   ": the matte is clear everywhere; draw white strokes over the tree in this "
@@ -127,19 +99,13 @@ void require_pixels(const Photos& photos) {
 
 Matte matte_photo(const Photo& photo, const Study& study, const MatteOptions& options,
                   Progress& progress) {
-  Image<float> alpha = alpha_of_photo(photo, study, options, progress);
-  const Image<glm::vec3> linear = linear_light(photo.srgb, progress);
-  refine_locally(linear, float(options.local_caution), alpha, progress);
-  stretch_ends(alpha, float(options.clear_below), float(options.opaque_above));
-  warn_of_result(photo, alpha, progress);
-  return matte_from_linear(photo.name, linear, alpha, progress);
+  const Matte matte =
+      matte_from_study(photo, linear_light(photo.srgb, progress), study, options, progress);
+  warn_of_result(photo, matte, progress);
+  return matte;
 }
 
 }  // namespace
-
-Matte matte_from_alpha(const Photo& photo, const Image<float>& alpha, Progress& progress) {
-  return matte_from_linear(photo.name, linear_light(photo.srgb, progress), alpha, progress);
-}
 
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress) {

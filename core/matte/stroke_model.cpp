@@ -112,13 +112,13 @@ std::vector<StrokeCluster> locate(const std::vector<ColourCluster>& clusters, co
     const int x = int(i % std::size_t(width)), y = int(i / std::size_t(width));
     grid(x * grid.width() / width, y * grid.height() / height) = 1;
   }
-  std::vector<StrokeCluster> located;
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
-    located.push_back({clusters[c], squared_distance_to(marked[c])});
-    Image<float>& squared = located.back().squared_distance;
+  std::vector<StrokeCluster> located(clusters.size());
+  tbb::parallel_for(std::size_t(0), clusters.size(), [&](std::size_t c) {
+    located[c] = {clusters[c], squared_distance_to(marked[c])};
+    Image<float>& squared = located[c].squared_distance;
     const float diagonal = std::hypot(float(squared.width()), float(squared.height()));
     for (float& value : squared.pixels()) value /= diagonal * diagonal;
-  }
+  });
   return located;
 }
 

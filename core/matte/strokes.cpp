@@ -1,5 +1,7 @@
 #include "core/matte/strokes.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -85,10 +87,8 @@ bool covers(const Run& run, const dvec2& place) {
 
 // Where a working pixel lies in the photo as taken; none outside of it.
 std::optional<dvec2> original_place(const Photo& photo, const dvec2& pixel) {
-  const Lens& working = photo.camera.lens;
   const Lens& original = photo.original_camera.lens;
-  const glm::dvec3 direction((pixel - working.principal_px) / working.focal_px, 1.0);
-  const auto place = pixel_from_camera(original, direction);
+  const auto place = taken_place(photo, pixel);
   if (!place || place->x < -0.5 || place->y < -0.5 || place->x >= original.width_px - 0.5 ||
       place->y >= original.height_px - 0.5) {
     return std::nullopt;
@@ -106,18 +106,16 @@ struct Tile {
 // From nine places of the tile; where a lens gives one of them no answer, the tile counts as
 // everywhere. Over so few pixels a lens is nearly linear: a quarter more than the furthest of the
 // nine is plenty.
-Tile tile_at(int x, int y, const Photo& photo) {
-  const Lens& working = photo.camera.lens;
+Tile tile_at(int x, int y, const PixelBox& box, const Photo& photo) {
   Tile tile;
   tile.x = x;
   tile.y = y;
-  tile.end_x = std::min(x + kTilePx, working.width_px);
-  tile.end_y = std::min(y + kTilePx, working.height_px);
+  tile.end_x = std::min(x + kTilePx, box.to.x);
+  tile.end_y = std::min(y + kTilePx, box.to.y);
   const auto place = [&](int i, int k) {
     const dvec2 pixel(tile.x + 0.5 * i * (tile.end_x - 1 - tile.x),
                       tile.y + 0.5 * k * (tile.end_y - 1 - tile.y));
-    return pixel_from_camera(photo.original_camera.lens,
-                             {(pixel - working.principal_px) / working.focal_px, 1.0});
+    return taken_place(photo, pixel);
   };
   const auto centre = place(1, 1);
   if (!centre) return tile;
@@ -192,11 +190,21 @@ void fit(const Photo& photo, Image<std::uint8_t>& scribbles) {
   assert(scribbles.width() == working.width_px && scribbles.height() == working.height_px);
 }
 
+PixelBox whole_of(const Photo& photo) {
+  return {{0, 0}, {photo.camera.lens.width_px, photo.camera.lens.height_px}};
+}
+
+// Calls work(tile) for the tiles of the box, from several threads.
 template <class Work>
-void for_each_tile(const Photo& photo, Work&& work) {
-  for (int y = 0; y < photo.camera.lens.height_px; y += kTilePx) {
-    for (int x = 0; x < photo.camera.lens.width_px; x += kTilePx) work(tile_at(x, y, photo));
-  }
+void for_each_tile(const Photo& photo, const PixelBox& box, Work&& work) {
+  const PixelBox inside = overlap(box, whole_of(photo));
+  if (inside.empty()) return;
+  const int rows = (inside.to.y - inside.from.y + kTilePx - 1) / kTilePx;
+  tbb::parallel_for(0, rows, [&](int row) {
+    for (int x = inside.from.x; x < inside.to.x; x += kTilePx) {
+      work(tile_at(x, inside.from.y + row * kTilePx, inside, photo));
+    }
+  });
 }
 
 }  // namespace
@@ -215,18 +223,57 @@ Stroke rounded_stroke(Stroke stroke) {
   return stroke;
 }
 
+std::optional<dvec2> taken_place(const Photo& photo, const dvec2& working_px) {
+  const Lens& working = photo.camera.lens;
+  return pixel_from_camera(photo.original_camera.lens,
+                           {(working_px - working.principal_px) / working.focal_px, 1.0});
+}
+
+std::optional<dvec2> working_place(const Photo& photo, const dvec2& taken_px) {
+  const auto direction = camera_from_pixel(photo.original_camera.lens, taken_px);
+  return direction ? pixel_from_camera(photo.camera.lens, *direction) : std::nullopt;
+}
+
+double taken_px_per_working_px(const Photo& photo) {
+  return photo.original_camera.lens.focal_px.x / photo.camera.lens.focal_px.x;
+}
+
+// Of the disc around each point; two pixels more, since lenses bend its edge.
+PixelBox box_of(const Stroke& stroke, const Photo& photo) {
+  const PixelBox whole = whole_of(photo);
+  constexpr double kEdge = 2.0, kFar = 1e8;  // the latter is what an int can hold
+  const double r = 1.1 * stroke.radius_px;
+  PixelBox box;
+  for (const dvec2& point : stroke.points_px) {
+    for (const dvec2& offset : {dvec2(r, 0.0), dvec2(-r, 0.0), dvec2(0.0, r), dvec2(0.0, -r)}) {
+      const auto place = working_place(photo, point + offset);
+      if (!place) return whole;
+      const dvec2 kept = glm::clamp(*place, dvec2(-kFar), dvec2(kFar));
+      box =
+          around(box, {glm::ivec2(glm::floor(kept - kEdge)), glm::ivec2(glm::ceil(kept + kEdge))});
+    }
+  }
+  return overlap(box, whole);
+}
+
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
+                   Image<std::uint8_t>& scribbles) {
+  paint_strokes(strokes, photo, whole_of(photo), scribbles);
+}
+
+void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo, const PixelBox& box,
                    Image<std::uint8_t>& scribbles) {
   fit(photo, scribbles);
   const std::vector<Run> runs = runs_of(strokes);
-  for_each_tile(photo, [&](const Tile& tile) { paint_tile(tile, runs, photo, scribbles); });
+  if (runs.empty()) return;
+  for_each_tile(photo, box, [&](const Tile& tile) { paint_tile(tile, runs, photo, scribbles); });
 }
 
 void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
                      const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles) {
   fit(photo, scribbles);
   const std::vector<Run> runs = runs_of(strokes), changed_runs = runs_of({changed});
-  for_each_tile(photo, [&](const Tile& tile) {
+  for_each_tile(photo, whole_of(photo), [&](const Tile& tile) {
     const bool touched = std::any_of(changed_runs.begin(), changed_runs.end(),
                                      [&](const Run& run) { return may_touch(run, tile); });
     if (!touched) return;

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/image/pixel_box.h"
 #include "core/photo/photo.h"
 
 namespace bosk {
@@ -43,6 +45,19 @@ Stroke rounded_stroke(Stroke stroke);
 // working photo's size, or is empty and is made so, unknown everywhere.
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
                    Image<std::uint8_t>& scribbles);
+// The same within a box of working pixels; the others stay.
+void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo, const PixelBox& box,
+                   Image<std::uint8_t>& scribbles);
+
+// A box of working pixels that holds all that the stroke paints, within the photo.
+PixelBox box_of(const Stroke& stroke, const Photo& photo);
+
+// Where a place in the photo as taken is in its working pixels, and back; none where a lens gives
+// no answer.
+std::optional<glm::dvec2> working_place(const Photo& photo, const glm::dvec2& taken_px);
+std::optional<glm::dvec2> taken_place(const Photo& photo, const glm::dvec2& working_px);
+// How many pixels of the photo as taken a working pixel is wide, in the middle.
+double taken_px_per_working_px(const Photo& photo);
 
 // Repaints only where `changed` passes, for a stroke that was undone or taken out: there
 // `scribbles` becomes what `below` (files' drawing; empty: unknown everywhere) is with `strokes`

@@ -8,9 +8,7 @@
 namespace bosk {
 namespace {
 
-constexpr double kSample = 50000.0;      // pixels that settle where the tree is
-constexpr int kRounds = 4;               // region and alpha settle each other
-constexpr float kOutlineSigma = 0.012f;  // image diagonals
+constexpr int kRounds = 4;  // region and alpha settle each other
 constexpr float kSamplePurity =
     4.0f;  // while the region settles, haze does more harm than hard edges
 constexpr float kTransferredPlace = 0.5f;  // strokes of another photo say less of places
@@ -31,7 +29,7 @@ Image<std::uint8_t> every_nth(const Image<std::uint8_t>& full, int step) {
 }
 
 LabPlanes sampled(const Photo& photo, const Study& study, Progress& progress) {
-  return lab_planes(photo.srgb, study.lesson.gain, step_for(photo.srgb, kSample), progress);
+  return lab_planes(photo.srgb, study.lesson.gain, study.step, progress);
 }
 
 Image<float> place_tilt(const Study& study, const MatteOptions& options) {
@@ -122,10 +120,11 @@ void learn_own_background(const LabPlanes& sample, const Image<float>& hull_tilt
 
 Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
                   const std::vector<Teacher>& teachers, const MatteOptions& options,
-                  Progress& progress) {
+                  Progress& progress, double sample) {
   Study study;
+  study.step = step_for(photo.srgb.size(), sample);
   study.lesson = choose_teacher(photo, teachers, options, progress);
-  study.strokes = every_nth(strokes, step_for(photo.srgb, kSample));
+  study.strokes = every_nth(strokes, study.step);
   study.model = study.lesson.teacher->model;
   study.place_tilt = place_tilt(study, options);
   settle_region(sampled(photo, study, progress), options, study, progress);
@@ -133,9 +132,9 @@ Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
 }
 
 void complete(Teacher& teacher, const Image<std::uint8_t>& strokes, const MatteOptions& options,
-              Progress& progress) {
+              Progress& progress, double sample) {
   const std::vector<Teacher> alone{teacher};
-  Study study = study_photo(*teacher.photo, strokes, alone, options, progress);
+  Study study = study_photo(*teacher.photo, strokes, alone, options, progress, sample);
   learn_own_background(sampled(*teacher.photo, study, progress), Image<float>(1, 1), options,
                        study);
   teacher.model = study.model;

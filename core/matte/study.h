@@ -7,9 +7,13 @@
 
 namespace bosk {
 
+// Pixels of a photo that settle where the tree is; fewer are quicker and a little less sure.
+constexpr double kStudySample = 50000.0;
+
 // What is settled about a photo, on a sample of its pixels, before all of them are matted.
 struct Study {
   Lesson lesson;
+  int step = 1;                 // every step-th pixel of every step-th row is in the sample
   Image<std::uint8_t> strokes;  // of the sample; empty for a photo without strokes of its own
   StrokeModel model;            // the teacher's, later with the photo's own background
   Image<float> place_tilt;  // coarse: what is believed of each place before any colour is looked at
@@ -22,13 +26,13 @@ struct Study {
 // strokes show only some of its colours, and other photos show the others too. `strokes` are the
 // teacher's own.
 void complete(Teacher& teacher, const Image<std::uint8_t>& strokes, const MatteOptions& options,
-              Progress& progress);
+              Progress& progress, double sample = kStudySample);
 
 // Finds the teacher, the gain and, in a few rounds, the region that the tree fills. `strokes` is
 // empty for a photo without strokes.
 Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
                   const std::vector<Teacher>& teachers, const MatteOptions& options,
-                  Progress& progress);
+                  Progress& progress, double sample = kStudySample);
 
 // Finds the region again with what the other photos say of each place (hull.h). A photo without
 // strokes of its own now learns its background's colours from where they all see background.

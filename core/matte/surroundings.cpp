@@ -1,5 +1,7 @@
 #include "core/matte/surroundings.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,12 +80,13 @@ Image<float> position_tilt(const StrokeModel& model, float weight) {
 }
 
 Image<float> stretched(const Image<float>& grid, int width, int height) {
+  if (grid.width() == width && grid.height() == height) return grid;
   Image<float> result(width, height);
-  for (int y = 0; y < height; ++y) {
+  tbb::parallel_for(0, height, [&](int y) {
     const GridPlace row = grid_place(y, height, grid.height());
     for (int x = 0; x < width; ++x)
       result(x, y) = GridPoint{grid_place(x, width, grid.width()), row}.sample(grid);
-  }
+  });
   return result;
 }
 

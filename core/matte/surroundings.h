@@ -8,6 +8,9 @@
 
 namespace bosk {
 
+// Reach of the near surroundings that photos are compared by (hull.h), in image diagonals.
+constexpr float kOutlineSigma = 0.012f;
+
 // Mean alpha around each cell of a coarse grid, `sigma` image diagonals wide. Strokes count more
 // than estimates; `strokes` is empty or has the size of `alpha`.
 Image<float> mean_alpha(const Image<float>& alpha, const Image<std::uint8_t>& strokes, float sigma);

@@ -17,7 +17,8 @@ constexpr double kGainMustWin =
 
 double mean_likelihood(const Photo& photo, const glm::vec3& gain, const StrokeModel& model,
                        const AlphaSettings& settings, Progress& progress) {
-  const LabPlanes lab = lab_planes(photo.srgb, gain, step_for(photo.srgb, kSample), progress);
+  const LabPlanes lab =
+      lab_planes(photo.srgb, gain, step_for(photo.srgb.size(), kSample), progress);
   const AlphaEstimate estimate = estimate_alpha(lab, model, Image<float>(1, 1), settings, progress);
   double sum = 0.0;
   for (const float value : estimate.likelihood.pixels()) sum += std::max(value, kWorstFit);
@@ -40,8 +41,8 @@ void try_teacher(const Photo& photo, const Teacher& teacher, const MatteOptions&
 
 }  // namespace
 
-int step_for(const Image<glm::vec3>& image, double sample) {
-  return std::max(1, int(std::lround(std::sqrt(double(image.size()) / sample))));
+int step_for(std::size_t pixels, double sample) {
+  return std::max(1, int(std::lround(std::sqrt(double(pixels) / sample))));
 }
 
 AlphaSettings alpha_settings(bool own_strokes, const MatteOptions& options) {

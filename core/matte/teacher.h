@@ -38,7 +38,7 @@ Lesson choose_teacher(const Photo& photo, const std::vector<Teacher>& teachers,
 
 AlphaSettings alpha_settings(bool own_strokes, const MatteOptions& options);
 
-// The step at which about `sample` pixels of the image are visited.
-int step_for(const Image<glm::vec3>& image, double sample);
+// The step at which about `sample` of so many pixels are visited.
+int step_for(std::size_t pixels, double sample);
 
 }  // namespace bosk

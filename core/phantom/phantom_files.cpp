@@ -36,15 +36,6 @@ void write_jpeg(const std::filesystem::path& path, const Image<glm::u8vec3>& rgb
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw Error(folder.string() + ": the folder can't be made (" + failed.message() +
-                "); choose another");
-  }
-}
-
 void write_camera_list(const std::filesystem::path& file, const std::vector<PhantomView>& views,
                        const std::string& folder, const std::string& ending) {
   std::vector<Camera> cameras;

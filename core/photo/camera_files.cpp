@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/photo/camera_files_parts.h"
 
@@ -97,14 +98,6 @@ void check_writable(std::span<const Camera> cameras, Images images) {
                         ", which doesn't lead back to the camera's name; rename it");
   }
   check_set(cameras, "the cameras to write");
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error && !is_folder(folder))
-    throw Error(folder.string() + ": the folder can't be made (" + error.message() +
-                "); give another one");
 }
 
 }  // namespace

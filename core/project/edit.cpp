@@ -50,6 +50,8 @@ std::string title_of(const SetOption& edit) {
   return edit.name + " " + shown(edit.before) + " to " + shown(edit.after);
 }
 
+std::string title_of(const SetOptions& edit) { return edit.what; }
+
 std::string title_of(const SetPhotos& edit) {
   const std::size_t before = edit.before.size(), after = edit.after.size();
   const auto count = [](std::size_t photos) {
@@ -75,33 +77,44 @@ void require_text(const std::string& text) {
   throw Error(printable(text) + ": the name is not valid UTF-8; rename the file");
 }
 
+// All or, when one doesn't fit, none.
+void set_options(const SetOptions& edit, std::string SetOption::*value, Recipe& recipe) {
+  Recipe trial = recipe;
+  for (const SetOption& set : edit.options) set_option(trial, set.name, set.*value);
+  recipe = trial;
+}
+
 }  // namespace
 
 void apply(const Edit& edit, Project& project) {
-  std::visit(Overloaded{
-                 [&](const SetOption& set) { set_option(project.recipe, set.name, set.after); },
-                 [&](const SetPhotos& set) { project.photos = set.after; },
-                 [&](const SetFiles& set) { files_of(project, set.which) = set.after; },
-                 [&](const AddStroke& add) {
-                   Stroke stroke = rounded_stroke(add.stroke);
-                   project.strokes[add.photo].push_back(std::move(stroke));
-                 },
-                 [&](const ClearStrokes& clear) { project.strokes.erase(clear.photo); },
-             },
-             edit);
+  std::visit(
+      Overloaded{
+          [&](const SetOption& set) { set_option(project.recipe, set.name, set.after); },
+          [&](const SetPhotos& set) { project.photos = set.after; },
+          [&](const SetFiles& set) { files_of(project, set.which) = set.after; },
+          [&](const AddStroke& add) {
+            Stroke stroke = rounded_stroke(add.stroke);
+            project.strokes[add.photo].push_back(std::move(stroke));
+          },
+          [&](const ClearStrokes& clear) { project.strokes.erase(clear.photo); },
+          [&](const SetOptions& set) { set_options(set, &SetOption::after, project.recipe); },
+      },
+      edit);
 }
 
 void revert(const Edit& edit, Project& project) {
-  std::visit(Overloaded{
-                 [&](const SetOption& set) { set_option(project.recipe, set.name, set.before); },
-                 [&](const SetPhotos& set) { project.photos = set.before; },
-                 [&](const SetFiles& set) { files_of(project, set.which) = set.before; },
-                 [&](const AddStroke& add) { remove_stroke(add, project.strokes); },
-                 [&](const ClearStrokes& clear) {
-                   set_strokes(clear.photo, clear.before, project.strokes);
-                 },
-             },
-             edit);
+  std::visit(
+      Overloaded{
+          [&](const SetOption& set) { set_option(project.recipe, set.name, set.before); },
+          [&](const SetPhotos& set) { project.photos = set.before; },
+          [&](const SetFiles& set) { files_of(project, set.which) = set.before; },
+          [&](const AddStroke& add) { remove_stroke(add, project.strokes); },
+          [&](const ClearStrokes& clear) {
+            set_strokes(clear.photo, clear.before, project.strokes);
+          },
+          [&](const SetOptions& set) { set_options(set, &SetOption::before, project.recipe); },
+      },
+      edit);
 }
 
 Edit checked_edit(Edit edit, const Project& project) {
@@ -123,6 +136,14 @@ Edit checked_edit(Edit edit, const Project& project) {
                    require_text(clear.photo);
                    for (Stroke& stroke : clear.before) stroke = rounded_stroke(std::move(stroke));
                  },
+                 [&](const SetOptions& set) {
+                   require_text(set.what);
+                   for (const SetOption& option : set.options) {
+                     for (const auto& text : {option.before, option.after}) require_text(text);
+                   }
+                   Recipe trial = project.recipe;
+                   set_options(set, &SetOption::after, trial);
+                 },
              },
              edit);
   return edit;
@@ -134,6 +155,19 @@ std::string title(const Edit& edit) {
 
 SetOption option_edit(const Project& project, const std::string& name, const std::string& after) {
   return {name, option_text(project.recipe, name), after};
+}
+
+SetOptions recipe_edit(const Project& project, const std::string& what, const Recipe& after) {
+  SetOptions edit{what, {}};
+  Recipe wanted = after;
+  for (const OptionGroup& group : option_groups(wanted)) {
+    for (const Option& option : group.options) {
+      const SetOption set =
+          option_edit(project, group.stage + "." + option.name, value_text(option));
+      if (set.before != set.after) edit.options.push_back(set);
+    }
+  }
+  return edit;
 }
 
 SetPhotos photos_edit(const Project& project, std::vector<fs::path> after) {

@@ -18,6 +18,12 @@ struct SetOption {
   std::string before, after;
   bool operator==(const SetOption&) const = default;
 };
+// Several options at once, as a preset does; those that the project has already are left out.
+struct SetOptions {
+  std::string what;  // for the title: "preset fast"
+  std::vector<SetOption> options;
+  bool operator==(const SetOptions&) const = default;
+};
 struct SetPhotos {
   std::vector<std::filesystem::path> before, after;
   bool operator==(const SetPhotos&) const = default;
@@ -38,7 +44,7 @@ struct ClearStrokes {
   std::vector<Stroke> before;  // all that the photo has
   bool operator==(const ClearStrokes&) const = default;
 };
-using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStrokes>;
+using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStrokes, SetOptions>;
 
 // `apply` sets what the edit says, whatever was there; `revert` puts back what was before it, also
 // when something else changed in between: an option its `before`, of a photo's strokes the last
@@ -56,6 +62,7 @@ std::string title(const Edit& edit);
 
 // Edits that leave the project as the wanted one, with `before` filled in from it.
 SetOption option_edit(const Project& project, const std::string& name, const std::string& after);
+SetOptions recipe_edit(const Project& project, const std::string& what, const Recipe& after);
 SetPhotos photos_edit(const Project& project, std::vector<std::filesystem::path> after);
 SetFiles files_edit(const Project& project, FileKind which, const std::filesystem::path& after);
 ClearStrokes clear_edit(const Project& project, const std::string& photo);

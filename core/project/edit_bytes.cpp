@@ -59,6 +59,12 @@ void write(BinaryWriter& writer, const ClearStrokes& edit) {
   for (const Stroke& stroke : edit.before) write(writer, stroke);
 }
 
+void write(BinaryWriter& writer, const SetOptions& edit) {
+  write(writer, edit.what);
+  writer.value(std::uint64_t(edit.options.size()));
+  for (const SetOption& option : edit.options) write(writer, option);
+}
+
 // One of an enumeration's first `count` values.
 template <class Kind>
 Kind read_kind(BinaryReader& reader, std::uint8_t count) {
@@ -127,6 +133,15 @@ ClearStrokes read_cleared(BinaryReader& reader) {
   return edit;
 }
 
+SetOptions read_options(BinaryReader& reader) {
+  SetOptions edit;
+  edit.what = reader.text();
+  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
+    edit.options.push_back(read_option(reader));
+  }
+  return edit;
+}
+
 Edit read_edit(BinaryReader& reader) {
   switch (reader.value<std::uint8_t>()) {
     case 0:
@@ -139,6 +154,8 @@ Edit read_edit(BinaryReader& reader) {
       return read_added(reader);
     case 4:
       return read_cleared(reader);
+    case 5:
+      return read_options(reader);
     default:
       throw Error("there is no such edit");
   }

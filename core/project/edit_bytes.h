@@ -15,6 +15,7 @@ namespace bosk {
 //   [2 u8] files:   [FileKind u8] before, after
 //   [3 u8] stroke:  photo, stroke
 //   [4 u8] clear:   photo, list of strokes before
+//   [5 u8] options: what, list of options as above
 //
 //   stroke: [StrokeKind u8][radius i32][list of places: x i32, y i32], all in 1/16 px
 std::vector<std::byte> bytes_of_edit(const Edit& edit);

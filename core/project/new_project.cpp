@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/system_error.h"
 #include "core/photo/camera_files.h"
@@ -166,12 +167,6 @@ Project planned_project(const NewProject& wanted, const CameraFile& cameras, con
       project.relative(none_given ? found_mattes(cameras, photos, progress) : wanted.mattes);
   project.scribbles = project.relative(wanted.scribbles);
   return project;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw system_error(folder, "created", failure.value());
 }
 
 }  // namespace

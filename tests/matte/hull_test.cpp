@@ -4,19 +4,10 @@
 
 #include <cmath>
 
+#include "ring_of_cameras.h"
+
 namespace bosk {
 namespace {
-
-// Looks from 10 m at the origin, camera axes x right, y down, z forward, world z up.
-Photo photo_from(double angle) {
-  Photo photo;
-  photo.camera.lens = {LensModel::pinhole, 128, 128, glm::dvec2(128.0), glm::dvec2(63.5), {}};
-  const glm::dvec3 forward(-std::cos(angle), -std::sin(angle), 0.0), down(0.0, 0.0, -1.0);
-  const glm::dvec3 right = glm::cross(down, forward);
-  photo.camera.camera_from_world.rotation = glm::transpose(glm::dmat3(right, down, forward));
-  photo.camera.camera_from_world.translation = {0.0, 0.0, 10.0};
-  return photo;
-}
 
 Image<float> disc_in_the_middle() {
   Image<float> mean(64, 64);
@@ -34,7 +25,8 @@ struct Ring {
 Ring ring_of(int count, double arc) {
   Ring ring;
   for (int i = 0; i < count; ++i) {
-    ring.photos.push_back(photo_from(arc * i / count));
+    ring.photos.emplace_back();
+    ring.photos.back().camera = camera_around(arc * i / count, 128, 128, 128.0);
     ring.means.push_back(disc_in_the_middle());
   }
   return ring;

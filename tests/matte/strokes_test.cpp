@@ -183,6 +183,52 @@ TEST(PaintStrokes, AgreeWithADrawingOfTheSame) {
   EXPECT_GT(count(direct, kForegroundStroke), 8000u);
 }
 
+TEST(PaintStrokes, WithinABoxPaintThatAlone) {
+  const Photo photo = bent_photo();
+  const std::vector<Stroke> strokes{{StrokeKind::foreground, 30.0, {{60, 70}, {300, 200}}},
+                                    {StrokeKind::background, 12.0, {{100, 250}, {350, 40}}}};
+  const Image<std::uint8_t> whole = painted_slowly(strokes, photo);
+  Image<std::uint8_t> part(photo.camera.lens.width_px, photo.camera.lens.height_px, 7);
+  const PixelBox box{{37, 41}, {121, 200}};
+  paint_strokes(strokes, photo, box, part);
+  for (int y = 0; y < part.height(); ++y) {
+    for (int x = 0; x < part.width(); ++x) {
+      const bool inside = x >= 37 && x < 121 && y >= 41;
+      const int expected = inside && whole(x, y) != kNoStroke ? whole(x, y) : 7;
+      ASSERT_EQ(int(part(x, y)), expected) << x << ", " << y;
+    }
+  }
+}
+
+TEST(BoxOf, HoldsAllThatAStrokePaints) {
+  const Photo photo = bent_photo();
+  Random random(5);
+  for (int i = 0; i < 12; ++i) {
+    Stroke stroke{StrokeKind::foreground, random.uniform(1.0, 60.0), {}};
+    for (int k = 0; k < 3; ++k) {
+      stroke.points_px.emplace_back(random.uniform(-50.0, 450.0), random.uniform(-50.0, 350.0));
+    }
+    const Image<std::uint8_t> whole = painted_slowly({stroke}, photo);
+    const PixelBox box = box_of(stroke, photo);
+    for (int y = 0; y < whole.height(); ++y) {
+      for (int x = 0; x < whole.width(); ++x) {
+        if (whole(x, y) == kNoStroke) continue;
+        ASSERT_TRUE(x >= box.from.x && x < box.to.x && y >= box.from.y && y < box.to.y) << i;
+      }
+    }
+  }
+}
+
+TEST(TakenPlace, GoesThereAndBack) {
+  const Photo photo = bent_photo();
+  for (const glm::dvec2 pixel : {glm::dvec2(0, 0), glm::dvec2(100, 75), glm::dvec2(190.5, 20)}) {
+    const auto back = working_place(photo, *taken_place(photo, pixel));
+    ASSERT_TRUE(back);
+    EXPECT_LT(glm::distance(*back, pixel), 1e-6);
+  }
+  EXPECT_NEAR(taken_px_per_working_px(photo), 2.0, 1e-9);
+}
+
 TEST(RoundedStroke, KeepsSixteenthsOfAPixel) {
   const Stroke stroke =
       rounded_stroke({StrokeKind::erase, 3.03, {{10.04, -0.01}, {7.9375, 1e5 + 0.03}}});

@@ -75,11 +75,29 @@ TEST(Edit, HasATitleThatSaysWhatItDoes) {
   EXPECT_EQ(title(ClearStrokes{"oak_03", {kStroke}}), "clearing the strokes on oak_03");
 }
 
+TEST(Edit, SetsSeveralOptionsAtOnceAndPutsThemBack) {
+  const ScratchFolder folder;
+  Project project = saved_project(folder.path());
+  const std::string before = content_of(project);
+  Recipe wanted = project.recipe;
+  wanted.opacity.cell_px = 5.0;
+  wanted.radiance.epochs = 7;
+  const SetOptions edit = recipe_edit(project, "preset quick", wanted);
+  EXPECT_EQ(edit.options.size(), 2u);
+  EXPECT_EQ(title(edit), "preset quick");
+  apply(edit, project);
+  EXPECT_EQ(project.recipe.radiance.epochs, 7);
+  EXPECT_TRUE(recipe_edit(project, "again", wanted).options.empty());
+  revert(edit, project);
+  EXPECT_EQ(content_of(project), before);
+}
+
 TEST(Edit, ThatDoesNotFitIsRefusedAndChangesNothing) {
   const ScratchFolder folder;
   Project project = saved_project(folder.path());
   const std::string before = content_of(project);
   const Edit misfits[] = {SetOption{"opacity.cell_px", "3", "nan"}, SetOption{"no.such", "", ""},
+                          SetOptions{"", {{"opacity.cell_px", "3", "5"}, {"no.such", "", ""}}},
                           AddStroke{"oak", {StrokeKind::erase, 3.0, {}}}};
   for (const Edit& edit : misfits) {
     EXPECT_THROW(checked_edit(edit, project), Error);
@@ -102,9 +120,12 @@ TEST(EditBytes, ReadBackAsWritten) {
 }
 
 TEST(EditBytes, CutAnywhereAreRefused) {
-  const Edit edits[] = {SetOption{"a.b", "1", "2"}, SetPhotos{{"a"}, {"a", "b"}},
-                        SetFiles{FileKind::scribbles, "", "x"}, AddStroke{"oak", kStroke},
-                        ClearStrokes{"oak", {kStroke, kOther}}};
+  const Edit edits[] = {SetOption{"a.b", "1", "2"},
+                        SetPhotos{{"a"}, {"a", "b"}},
+                        SetFiles{FileKind::scribbles, "", "x"},
+                        AddStroke{"oak", kStroke},
+                        ClearStrokes{"oak", {kStroke, kOther}},
+                        SetOptions{"preset", {{"a.b", "1", "2"}, {"c.d", "", "3"}}}};
   for (const Edit& edit : edits) {
     const auto bytes = bytes_of_edit(edit);
     for (std::size_t size = 0; size < bytes.size(); ++size) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/project/presets.h"
 #include "core/project/project_json.h"
 
 namespace bosk {
@@ -22,6 +23,12 @@ Edit random_option(Random& random, const Project& project) {
       return option_edit(project, "matte.position_sigma",
                          std::to_string(random.uniform(0.05, 0.4)));
   }
+}
+
+Edit random_preset(Random& random, const Project& project) {
+  Recipe recipe = project.recipe;
+  apply_preset(recipe, presets()[random.below(presets().size())].name);
+  return recipe_edit(project, "preset", recipe);
 }
 
 std::filesystem::path random_path(Random& random) {
@@ -63,6 +70,8 @@ Edit random_edit(Random& random, const Project& project) {
     case 5:
     case 6:
       return random_option(random, project);
+    case 7:
+      return random_preset(random, project);
     default:
       return AddStroke{photo_of(random), random_stroke(random)};
   }

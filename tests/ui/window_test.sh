@@ -8,37 +8,7 @@ set -euo pipefail
 bosk=$(realpath "$1")
 package=$(realpath "$2")
 
-for tool in Xvfb xdotool; do
-  command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not installed"; exit 77; }
-done
-
-folder=$(mktemp -d)
-pids=()
-clean_up() {
-  [ ${#pids[@]} -eq 0 ] || kill "${pids[@]}" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap clean_up EXIT
-cd "$folder"
-
-fail() {
-  echo "FAILED: $*"
-  [ ! -s log ] || { echo "bosk said:"; cat log; }
-  exit 1
-}
-# Tries a command for up to 60 s: other programs may have the machine for a while.
-wait_for() {
-  local what=$1
-  shift
-  for _ in $(seq 300); do
-    "$@" >/dev/null 2>&1 && return
-    sleep 0.2
-  done
-  fail "waited in vain for $what"
-}
-
-# Built with sanitizers: window drivers keep a little memory to the process's end, which is not ours
-export ASAN_OPTIONS=detect_leaks=0
+source "$(dirname "$(realpath "$0")")/display.sh"
 
 # Without a display: one clear sentence, bad input
 status=0
@@ -46,26 +16,10 @@ env -u DISPLAY -u WAYLAND_DISPLAY "$bosk" view "$package" 2>log || status=$?
 [ $status -eq 3 ] || fail "without a display: status $status instead of 3"
 grep -q "no window can be opened.*--screenshot" log || fail "no remedy is told without a display"
 
-Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>display 2>/dev/null &
-pids+=($!)
-wait_for "a display" test -s display
-export DISPLAY=":$(cat display)"
-unset WAYLAND_DISPLAY
+open_display 800x600
 
 start() {
-  "$bosk" view "$package" --size 400x300 --trees 3 2>log &
-  viewer=$!
-  pids+=("$viewer")
-  for _ in $(seq 300); do
-    window=$(xdotool search --name "Bosk" 2>/dev/null | head -n 1) || true
-    [ -z "$window" ] || return 0
-    if ! kill -0 "$viewer" 2>/dev/null; then
-      grep -q "no window with OpenGL 4.5" log && { echo "SKIPPED: $(cat log)"; exit 77; }
-      fail "the viewer ended before its window opened"
-    fi
-    sleep 0.2
-  done
-  fail "no window opened"
+  open_window "$bosk" view "$package" --size 400x300 --trees 3
 }
 # Saves the picture as the given number by the key P.
 picture() {

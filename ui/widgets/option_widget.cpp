@@ -1,6 +1,7 @@
 #include "ui/widgets/option_widget.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -32,6 +33,7 @@ struct Widget {
                                &option.maximum, "%.4g", flags);
   }
   bool operator()(std::string* value) const {
+    if (option.choices.empty()) return ImGui::InputText(label.c_str(), value);
     bool changed = false;
     if (!ImGui::BeginCombo(label.c_str(), value->c_str())) return false;
     for (const std::string& choice : option.choices) {

@@ -1,5 +1,7 @@
 #include "ui/workstation/guide.h"
 
+#include <algorithm>
+
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/workspace.h"
 
@@ -16,7 +18,11 @@ StepGuide photos_guide(const Workspace& workspace) {
     return {Tone::note, "needs photos", "about 24 photographs of one tree, from all around it", "",
             "drop photographs or their folder on the window, or type where they are"};
   }
-  const std::string has = count_text(photos, "photo");
+  const auto& rows = workspace.photos.shelf.rows;
+  const auto left_out = std::size_t(std::count_if(
+      rows.begin(), rows.end(), [](const PhotoRow& row) { return row.tone == Tone::bad; }));
+  std::string has = count_text(photos, "photo");
+  if (left_out > 0) has += ", " + std::to_string(left_out) + " of them left out or missing";
   if (photos < 2) return {Tone::note, "needs photos", "two photos or more", has, "add more photos"};
   const std::string advice = photos < 12 ? "more photos give a better tree; " : "";
   return {Tone::good, "ready", "", has, advice + "look at the verdicts, then go on to Calibrate"};
@@ -71,6 +77,14 @@ StepGuide matte_guide(const Workspace& workspace) {
   return guide;
 }
 
+StepGuide package_guide(const Workspace& workspace, const std::string& next) {
+  StepGuide guide = stage_guide(workspace, "pack", "make the package");
+  if (state_of(workspace, "pack") == StageState::current && guide.tone == Tone::good) {
+    guide.next = next;
+  }
+  return guide;
+}
+
 }  // namespace
 
 std::string stage_of(WorkStep step) {
@@ -109,9 +123,10 @@ StepGuide guide_of(const Workspace& workspace, WorkStep step) {
     case WorkStep::codebook:
       return stage_guide(workspace, "compress", "train the codebooks");
     case WorkStep::preview:
-      return stage_guide(workspace, "pack", "make the package");
+      return package_guide(workspace,
+                           "look round, compare with the photos, score on held-out ones");
     case WorkStep::export_tree:
-      return stage_guide(workspace, "pack", "make the package");
+      return package_guide(workspace, "write what you need");
   }
   return {};
 }

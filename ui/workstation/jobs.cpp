@@ -199,6 +199,14 @@ bool Jobs::busy(Lane lane) const {
   return queue.running != nullptr || !queue.waiting.empty();
 }
 
+bool Jobs::at_rest() const {
+  const std::lock_guard lock(mutex_);
+  const bool quiet = std::all_of(std::begin(queues_), std::end(queues_), [](const Queue& queue) {
+    return queue.running == nullptr && queue.waiting.empty();
+  });
+  return quiet && ended_.empty();
+}
+
 bool Jobs::is_open(int id) const {
   const std::vector<JobView> views = now();
   return std::any_of(views.begin(), views.end(), [&](const JobView& job) { return job.id == id; });

@@ -67,7 +67,8 @@ void draw_preset_choice(Workspace& workspace) {
     if (!pressed) continue;
     Recipe recipe = workspace.project().recipe;
     apply_preset(recipe, preset.name);
-    set_recipe(workspace, recipe);
+    SetOptions change = recipe_edit(workspace.project(), "preset " + preset.name, recipe);
+    if (!change.options.empty()) edit(workspace, std::move(change));
   }
   ImGui::NewLine();
 }

@@ -6,6 +6,7 @@
 #include "core/project/cache.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
+#include "ui/workstation/matte_paint.h"
 #include "ui/workstation/stage_run.h"
 
 namespace bosk {
@@ -120,6 +121,7 @@ void open_project(Workspace& workspace, const fs::path& folder) {
 
 void close_project(Workspace& workspace) {
   if (!workspace.session) return;
+  keep_stroke_in_hand(workspace);
   workspace.jobs.cancel_all();
   workspace.session->save();
   workspace.session.reset();
@@ -142,18 +144,6 @@ void close_project(Workspace& workspace) {
 
 void edit(Workspace& workspace, Edit change) {
   workspace.session->apply(std::move(change));
-  refresh(workspace);
-}
-
-void set_recipe(Workspace& workspace, const Recipe& recipe) {
-  Recipe wanted = recipe;
-  for (const OptionGroup& group : option_groups(wanted)) {
-    for (const Option& option : group.options) {
-      const std::string name = group.stage + "." + option.name, text = value_text(option);
-      if (option_text(workspace.project().recipe, name) == text) continue;
-      workspace.session->apply(option_edit(workspace.project(), name, text));
-    }
-  }
   refresh(workspace);
 }
 

@@ -22,6 +22,7 @@
 #include "ui/workstation/preview_step.h"
 #include "ui/workstation/start_page.h"
 #include "ui/workstation/textures_step.h"
+#include "ui/workstation/tree_pictures.h"
 #include "ui/workstation/user_settings.h"
 #include "ui/workstation/volume_step.h"
 #include "ui/workstation/work_step.h"
@@ -37,10 +38,16 @@ struct WindowInput {
   // Where the mouse was since the last frame, oldest first, in Dear ImGui's coordinates; may be
   // empty. A slow frame otherwise sees only its last place.
   std::vector<ImVec2> mouse_path;
+  // Which place of the path the left button went down or up at, the last time; none: it didn't.
+  std::optional<std::size_t> pressed_at, released_at;
   bool focus_lost = false;
+  bool at_rest = false;  // nothing was heard for about a quarter of a second
 
   bool pressed(int key) const;
 };
+
+// When the window draws another frame, beside what it hears.
+enum class NextFrame { when_heard, at_rest, at_once };
 
 // The option that is being dragged or typed, with its value as text; empty: none.
 struct OptionInHand {
@@ -76,6 +83,8 @@ struct Workspace {
   bool shortcuts_shown = false, close_wanted = false;
   float screen_scale = 1.0f;          // what the screen asks for where the person chose none
   std::optional<float> scale_wanted;  // the window applies it before the next frame
+  NextFrame next_frame = NextFrame::when_heard;  // as the newest frame wants it
+  TreePictures tree_pictures;                    // given by the window; empty: none
 
   std::unique_ptr<Session> session;  // null: the start page is shown
   // What stages start from, as the project's files were read last; null with the reason beside it.
@@ -114,8 +123,6 @@ void close_project(Workspace& workspace);
 // The one way to change the project: applies the edit, journals it, and brings what depends on it
 // up to date.
 void edit(Workspace& workspace, Edit change);
-// Edits for every option in which the recipe differs.
-void set_recipe(Workspace& workspace, const Recipe& recipe);
 void undo(Workspace& workspace);
 void redo(Workspace& workspace);
 

@@ -6,6 +6,8 @@
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/guide.h"
+#include "ui/workstation/matte_paint.h"
+#include "ui/workstation/named_paths.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -71,8 +73,12 @@ void draw_project(Workspace& workspace) {
 
 void draw_workstation(Workspace& workspace) {
   begin_landmarks(workspace.landmarks);
+  workspace.next_frame = NextFrame::when_heard;
   refresh(workspace);
   hear_shortcuts(workspace);
+  const bool away = workspace.input.focus_lost || workspace.step != WorkStep::matte;
+  if (away) keep_stroke_in_hand(workspace);
+  hear_drops(workspace);
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::Begin("Bosk", nullptr,

@@ -96,9 +96,14 @@ bool Hand::wait_for(const std::function<bool()>& reached, double seconds) {
 }
 
 bool Hand::settle(double seconds) {
-  const bool ended = wait_for([&] { return workspace_->jobs.now().empty(); }, seconds);
-  frame(3);
-  return ended && (workspace_->jobs.now().empty() || settle(seconds));
+  // A job's end may start another, in the frame that installs its result or the next
+  int quiet_frames = 0;
+  return wait_for(
+      [&] {
+        quiet_frames = workspace_->jobs.at_rest() ? quiet_frames + 1 : 0;
+        return quiet_frames > 3;
+      },
+      seconds);
 }
 
 Landmark Hand::at(const std::string& landmark) {
@@ -117,18 +122,26 @@ bool Hand::sees(const std::string& landmark) const {
 bool Hand::is_enabled(const std::string& landmark) { return at(landmark).enabled; }
 
 void Hand::move_to(const ImVec2& place) {
-  ImGui::GetIO().MousePos = place;
+  ImGui::GetIO().MousePos = place_ = place;
   workspace_->input.mouse_path.push_back(place);
   frame();
 }
 
 void Hand::press(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = true;
+  if (mouse_button == 0) {
+    workspace_->input.pressed_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(place_);
+  }
   frame();
 }
 
 void Hand::release(int mouse_button) {
   ImGui::GetIO().MouseDown[mouse_button] = false;
+  if (mouse_button == 0) {
+    workspace_->input.released_at = workspace_->input.mouse_path.size();
+    workspace_->input.mouse_path.push_back(place_);
+  }
   frame();
 }
 

@@ -72,6 +72,7 @@ class Hand {
   MemoryTextures textures_;
   HandScreen screen_;
   std::unique_ptr<Workspace> workspace_;
+  ImVec2 place_{-1, -1};  // of the mouse; Dear ImGui rounds it
 };
 
 }  // namespace bosk

@@ -1,7 +1,7 @@
-#include "app/evaluation.h"
+#include "core/project/evaluation.h"
 
-#include "app/run_summary.h"
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/system_error.h"
 #include "core/image/image_io.h"
 #include "core/package/reader.h"
@@ -30,15 +30,15 @@ std::string caption_of(const std::string& name, const ViewScore& score) {
 }
 
 // Draws the package for each view and scores it.
-void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Console& console) {
+void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Progress& progress) {
   std::vector<NamedScore> scores;
   const PreparedTree tree(evaluation.tree);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& [camera, truth] = views[i];
     const double width = (kScoreShare.to - kScoreShare.from) / double(views.size());
-    console.progress().scope(kScoreShare.from + width * double(i),
-                             kScoreShare.from + width * double(i + 1), "Scores");
-    const Picture rendered = rgba8_from_straight(render_tree(tree, camera, {}, console.progress()));
+    progress.scope(kScoreShare.from + width * double(i), kScoreShare.from + width * double(i + 1),
+                   "Scores");
+    const Picture rendered = rgba8_from_straight(render_tree(tree, camera, {}, progress));
     const ViewScore score = score_view(rendered, truth);
     scores.push_back({camera.name, score});
     evaluation.views.push_back({caption_of(camera.name, score), truth, rendered});
@@ -46,18 +46,19 @@ void score_views(Evaluation& evaluation, const std::vector<TrueView>& views, Con
   evaluation.scores = tabulate(std::move(scores));
 }
 
-void make_package(Evaluation& evaluation, ProjectWork& work, const Capture& capture) {
-  const Run run = work.run(capture, {"pack"}, kPackageShare);
+void make_package(Evaluation& evaluation, const EvaluationSource& source, const Capture& capture) {
+  const Run run = source.run(capture, {"pack"}, kPackageShare);
   evaluation.package_bytes = run.results.package->size();
-  evaluation.tree = read_tree(*run.results.package, work.project().name());
-  evaluation.times = times_spent(work.project(), capture);
+  evaluation.tree = read_tree(*run.results.package, source.project.name());
+  evaluation.times = times_spent(source.project, capture);
 }
 
-std::vector<TrueView> held_out_views(ProjectWork& work, const std::set<std::string>& names) {
+std::vector<TrueView> held_out_views(const EvaluationSource& source,
+                                     const std::set<std::string>& names) {
   // Imported mattes stand alone; those made from strokes need the photos that strokes were drawn on
-  const bool imported = !work.capture().mattes.empty();
-  const Run run = work.run(imported ? with_only(work.capture(), names) : work.capture(),
-                           {"view", "matte"}, kTruthShare);
+  const bool imported = !source.capture.mattes.empty();
+  const Run run = source.run(imported ? with_only(source.capture, names) : source.capture,
+                             {"view", "matte"}, kTruthShare);
   std::vector<TrueView> views;
   for (std::size_t i = 0; i < run.results.views->size(); ++i) {
     const Photo& view = (*run.results.views)[i];
@@ -69,8 +70,8 @@ std::vector<TrueView> held_out_views(ProjectWork& work, const std::set<std::stri
   return views;
 }
 
-fs::path picture_of(const std::string& folder, const std::string& name) {
-  return fs::path(folder) / (name + ".png");
+fs::path picture_of(const fs::path& folder, const std::string& name) {
+  return folder / (name + ".png");
 }
 
 Picture read_truth(const fs::path& path, const Camera& camera, PhotoDecoder& decoder,
@@ -84,21 +85,22 @@ Picture read_truth(const fs::path& path, const Camera& camera, PhotoDecoder& dec
   return rgba8_from_straight(straight_of(photo));
 }
 
-std::vector<TrueView> true_views(const std::string& cameras, const std::string& folder,
-                                 Console& console) {
+std::vector<TrueView> true_views(const fs::path& cameras, const fs::path& folder,
+                                 Progress& progress) {
   std::vector<TrueView> views;
   PhotoDecoder decoder;
   for (const Camera& camera : read_cameras(cameras)) {
     const fs::path path = picture_of(folder, camera.name);
     if (fs::exists(path)) {
-      views.push_back({camera, read_truth(path, camera, decoder, console.progress())});
+      views.push_back({camera, read_truth(path, camera, decoder, progress)});
     } else {
-      console.warn("camera " + printable(camera.name) + " is passed over: there is no " +
-                   printable(path.string()));
+      progress.warn("camera " + printable(camera.name) + " is passed over: there is no " +
+                    printable(path.string()));
     }
   }
   if (views.empty()) {
-    throw Error(printable(folder) + ": holds no picture named as one of the cameras, such as " +
+    throw Error(printable(folder.string()) +
+                ": holds no picture named as one of the cameras, such as " +
                 printable(picture_of(folder, read_cameras(cameras).front().name).string()));
   }
   return views;
@@ -106,28 +108,37 @@ std::vector<TrueView> true_views(const std::string& cameras, const std::string& 
 
 }  // namespace
 
-Evaluation evaluate_held_out(ProjectWork& work, int every, Console& console) {
-  const std::set<std::string> names = held_out_names(work.capture(), every);
-  const std::vector<TrueView> views = held_out_views(work, names);
-  Capture rest = work.capture();
+EvaluationSource evaluation_source(const Project& project, const Capture& capture,
+                                   Progress& progress) {
+  return {project, capture,
+          [project, &progress](const Capture& chosen, const std::vector<std::string>& wanted,
+                               Share share) {
+            return run_stages(project, chosen, wanted, progress, share);
+          }};
+}
+
+Evaluation evaluate_held_out(const EvaluationSource& source, int every, Progress& progress) {
+  const std::set<std::string> names = held_out_names(source.capture, every);
+  const std::vector<TrueView> views = held_out_views(source, names);
+  Capture rest = source.capture;
   rest.left_out = names;
 
   Evaluation evaluation;
   evaluation.title = std::to_string(views.size()) + " of " +
-                     std::to_string(work.capture().photos.size()) + " photos held out";
-  make_package(evaluation, work, rest);
-  score_views(evaluation, views, console);
+                     std::to_string(source.capture.photos.size()) + " photos held out";
+  make_package(evaluation, source, rest);
+  score_views(evaluation, views, progress);
   return evaluation;
 }
 
-Evaluation evaluate_against(ProjectWork& work, const std::string& cameras,
-                            const std::string& truth_folder, Console& console) {
-  const std::vector<TrueView> views = true_views(cameras, truth_folder, console);
+Evaluation evaluate_against(const EvaluationSource& source, const fs::path& cameras,
+                            const fs::path& truth_folder, Progress& progress) {
+  const std::vector<TrueView> views = true_views(cameras, truth_folder, progress);
   Evaluation evaluation;
   evaluation.title = std::to_string(views.size()) + " views that are not among the " +
-                     std::to_string(work.capture().photos.size()) + " photos";
-  make_package(evaluation, work, work.capture());
-  score_views(evaluation, views, console);
+                     std::to_string(source.capture.photos.size()) + " photos";
+  make_package(evaluation, source, source.capture);
+  score_views(evaluation, views, progress);
   return evaluation;
 }
 

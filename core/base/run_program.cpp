@@ -1,4 +1,4 @@
-#include "app/run_program.h"
+#include "core/base/run_program.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/evaluation.h"
+#include "core/project/evaluation.h"
 #include "core/project/project.h"
 
 namespace bosk {

@@ -1,10 +1,9 @@
-#include "app/report.h"
+#include "core/project/report.h"
 
 #include <nlohmann/json.hpp>
 
-#include "app/run_summary.h"
 #include "core/base/atomic_file.h"
-#include "core/base/system_error.h"
+#include "core/base/number_text.h"
 #include "core/image/image_io.h"
 
 namespace bosk {
@@ -153,9 +152,7 @@ Json figures_json(const Evaluation& evaluation) {
 }
 
 void write_report(const fs::path& folder, const Evaluation& evaluation, const Project& project) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw system_error(folder, "created", failure.value());
+  make_folder(folder);
   const fs::path sheet = folder / "contact-sheet.png";
   write_png(sheet, contact_sheet(evaluation.views, kSheetCellPx));
   write_file_atomically(folder / "figures.txt", figures_text(evaluation));

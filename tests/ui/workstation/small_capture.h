@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/phantom/phantom.h"
+#include "tests/base/scratch_folder.h"
+#include "tests/ui/workstation/hand.h"
+
+namespace bosk {
+
+// A phantom of ten small photos with their cameras, laid out in a folder of its own.
+struct SmallCapture {
+  SmallCapture() {
+    Progress quiet;
+    write_phantom(scratch / "phantom", make_phantom(tiny_phantom(), quiet), quiet);
+  }
+  std::filesystem::path photos() const { return scratch / "phantom" / "photos"; }
+  std::filesystem::path photo(const std::string& name) const { return photos() / (name + ".jpg"); }
+  std::filesystem::path cameras() const { return scratch / "phantom" / "transforms.json"; }
+
+  const ScratchFolder scratch;
+};
+
+// A file that begins like a JPEG and is none.
+inline std::filesystem::path write_broken_photo(const std::filesystem::path& path) {
+  std::ofstream(path) << "\xff\xd8\xff and no more";
+  return path;
+}
+
+inline void make_project_by_hand(Hand& hand, const std::filesystem::path& folder) {
+  hand.click("start/folder");
+  hand.type(folder.string());
+  hand.click("start/make");
+}
+
+}  // namespace bosk
