@@ -28,7 +28,7 @@ class StepPictures : public testing::TestWithParam<int> {
     ASSERT_TRUE(input);
     OIIO::ImageSpec spec = input->spec();
     std::vector<unsigned char> pixels(std::size_t(spec.image_bytes()));
-    ASSERT_TRUE(input->read_image(OIIO::TypeDesc::UINT8, pixels.data()));
+    ASSERT_TRUE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, pixels.data()));
     input->close();
     spec.attribute("Orientation", orientation);
     spec.attribute("Compression", "jpeg:98");
