@@ -9,8 +9,9 @@
 set -euo pipefail
 bosk=$(realpath "$1")
 pictures=${2:+$(realpath "$2")}
-source "$(dirname "$(realpath "$0")")/display.sh"
-source "$(dirname "$(realpath "$0")")/landmarks.sh"
+here=$(dirname "$(realpath "$0")")
+source "$here/display.sh"
+source "$here/landmarks.sh"
 export XDG_CONFIG_HOME=$folder/config
 PATIENCE=300
 

@@ -5,6 +5,7 @@
 #include "core/image/orientation.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
+#include "ui/workstation/photo_shelf.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -83,7 +84,7 @@ void draw_row(Workspace& workspace, const std::string& name, double median) {
   const ImVec2 next = ImGui::GetCursorScreenPos();
   if (const SmallPhoto* small = small_photo(step.review, name)) {
     draw_small(small_texture(workspace, *small, MatteView::photo),
-               shown_orientation(workspace, name), at, {side, side});
+               orientation_of(workspace, name), at, {side, side});
   }
   ImGui::SetCursorScreenPos({at.x + side + 0.5f * ImGui::GetFontSize(), at.y});
   ImGui::BeginGroup();
@@ -114,7 +115,7 @@ void draw_cell(Workspace& workspace, const SmallPhoto& photo, double median, flo
   }
   tooltip("open " + photo.name);
   if (visible) {
-    draw_small(small_texture(workspace, photo, step.view), shown_orientation(workspace, photo.name),
+    draw_small(small_texture(workspace, photo, step.view), orientation_of(workspace, photo.name),
                at, {side, side});
   }
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + side);

@@ -6,6 +6,7 @@
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/matte_paint.h"
+#include "ui/workstation/photo_shelf.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -32,7 +33,8 @@ void follow_hand(Workspace& workspace) {
   if (step.in_hand && own_job) workspace.jobs.cancel(workspace.running_job);
   if (!step.keep_up || step.in_hand || workspace.running_job != 0) return;
   const bool live_due = step.canvas.ready && !(step.canvas.live_of == step.canvas.live_asked);
-  if (live_due || !obstacle_to(workspace, "matte").empty()) return;
+  const bool half_drawn = !step.canvas.painted.empty() && !step.canvas.live.what_is_missing.empty();
+  if (live_due || half_drawn || !obstacle_to(workspace, "matte").empty()) return;
   const StageState state = state_of(workspace, "matte");
   const std::uint64_t revision = workspace.session->revision();
   if (state == StageState::current || step.kept_up_at == revision) return;
@@ -107,19 +109,12 @@ std::string strokes_obstacle(const Workspace& workspace) {
   return {};
 }
 
-int shown_orientation(const Workspace& workspace, const std::string& photo) {
-  if (!workspace.results.imported) return 1;
-  for (const PhotoVerdict& verdict : workspace.results.imported->verdicts) {
-    if (verdict.name == photo) return verdict.metadata.orientation;
-  }
-  return 1;
-}
-
 int orientation_on_canvas(const Workspace& workspace) {
-  return shown_orientation(workspace, workspace.matte.canvas.photo);
+  return orientation_of(workspace, workspace.matte.canvas.photo);
 }
 
 void draw_matte_step(Workspace& workspace) {
+  follow_photos(workspace);
   follow_import(workspace);
   follow_mattes(workspace);
   follow_canvas(workspace);

@@ -50,6 +50,5 @@ void hear_matte_keys(Workspace& workspace);
 std::string strokes_obstacle(const Workspace& workspace);
 // Of the photo on the canvas, as EXIF has it: how it is turned for the screen.
 int orientation_on_canvas(const Workspace& workspace);
-int shown_orientation(const Workspace& workspace, const std::string& photo);
 
 }  // namespace bosk

@@ -34,6 +34,8 @@ struct WindowInput {
   // Keys pressed, also those released again, which Dear ImGui 1.86 forgets in a slow frame; repeats
   // of a key held down count again.
   std::vector<int> keys;
+  // Held with any of them, though perhaps let go by now; Dear ImGui's own say what is held now.
+  bool ctrl = false, shift = false, alt = false;
   std::vector<std::filesystem::path> dropped;  // files and folders
   // Where the mouse was since the last frame, oldest first, in Dear ImGui's coordinates; may be
   // empty. A slow frame otherwise sees only its last place.

@@ -7,6 +7,7 @@
 
 #include "core/phantom/phantom.h"
 #include "core/project/new_project.h"
+#include "core/project/run.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/hand.h"
 
@@ -27,8 +28,8 @@ inline void set_orientation(const std::filesystem::path& jpeg, int orientation) 
   output->close();
 }
 
-// FOLDER/oak: photos 000 to 005 and cameras of a tiny tree, neither mattes nor strokes. Photo 001
-// was taken with the camera turned: EXIF orientation 6.
+// In FOLDER/oak: photos 000 to 005 and cameras of a tiny tree, neither mattes nor strokes. Photo
+// 001 was taken with the camera turned: EXIF orientation 6.
 inline std::filesystem::path make_matte_project(const std::filesystem::path& folder) {
   PhantomOptions options = tiny_phantom();
   options.photos = 6;
@@ -42,6 +43,18 @@ inline std::filesystem::path make_matte_project(const std::filesystem::path& fol
                              {}},
                             Recipe(), true, Progress()));
   return folder / "oak";
+}
+
+// The same in another folder, with the photos read already: made once for all tests.
+inline void copy_matte_project(const std::filesystem::path& to) {
+  static const ScratchFolder made;
+  static const bool ready = [] {
+    const Project project = read_project(make_matte_project(made.path()));
+    Progress progress;
+    run_stages(project, gather_capture(project), {"photo"}, progress);
+    return true;
+  }();
+  if (ready) std::filesystem::copy(made.path(), to, std::filesystem::copy_options::recursive);
 }
 
 }  // namespace bosk

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 class MatteStep : public testing::Test {
  protected:
   MatteStep() {
-    make_matte_project(scratch.path());
+    copy_matte_project(scratch.path());
     open_project(workspace, scratch.path() / "oak");
     workspace.step = WorkStep::matte;
     EXPECT_TRUE(hand.settle());
@@ -449,7 +449,7 @@ TEST_F(MatteStep, StrokesOfAnotherPhotoStayThere) {
 
 TEST(MatteStepWithFinishedMattes, SaysThatStrokesAreNotUsed) {
   const ScratchFolder scratch;
-  make_matte_project(scratch.path());
+  copy_matte_project(scratch.path());
   Hand hand;
   open_project(hand.workspace(), scratch.path() / "oak");
   edit(hand.workspace(), files_edit(hand.workspace().project(), FileKind::mattes,

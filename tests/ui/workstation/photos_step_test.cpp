@@ -73,6 +73,14 @@ TEST_F(PhotosStep, AWrongPathIsToldAndChangesNothing) {
   EXPECT_FALSE(workspace().session->can_undo());
 }
 
+TEST_F(PhotosStep, BlanksAreNoPath) {
+  hand.click("photos/path");
+  hand.type("   ");
+  hand.key(kKeyEnter);
+  EXPECT_EQ(photo_count(), 0u);
+  EXPECT_TRUE(state().said.empty());
+}
+
 TEST_F(PhotosStep, DroppedPhotosAreAddedFromAnyStep) {
   for (const WorkStep step : kSteps) {
     workspace().step = step;
