@@ -27,6 +27,13 @@ TEST(LevelStatistics, CountCellsTexturesAndWhatIsPruned) {
   EXPECT_DOUBLE_EQ(row.pruned_share(), 2.0 / 60.0);
 }
 
+TEST(FullestCell, IsTheOneThatStopsMostLight) {
+  Billboards trees = leafy_billboards({.cells = 30, .views = 2});
+  BillboardLevel& level = trees.levels[0];
+  for (std::size_t i = 0; i < 2 * 16; ++i) level.texture[17 * 2 * 16 + i].a = 255;
+  EXPECT_EQ(fullest_cell(level), 17u);
+}
+
 TEST(TexturesKept, AgreeBeforeAndAfterCoding) {
   const Billboards trees = leafy_billboards({.cells = 50, .texels = 8, .pruned = 0.4});
   Progress quiet;

@@ -47,6 +47,7 @@ void start_curve(Workspace& workspace) {
 void follow_codebook(Workspace& workspace) {
   CodebookStepState& state = workspace.codebook;
   for (const char* stage : {"texture", "compress"}) load_if_stored(workspace, stage);
+  follow_rows(workspace);
   if (!state.growing) return;
   if (auto curve = state.growing->take()) state.curve = std::move(curve);
 }
@@ -107,7 +108,7 @@ Plot plot_of(const Workspace& workspace) {
   plot.x = {"codewords", true, 12.0, double(kMost) * 1.3};
   plot.y = {"PSNR, dB"};
   plot.right = PlotAxis{"package, MB"};
-  PlotLine colour{"colour", {}}, alpha{"opacity", {}}, bytes{"bytes, both alike", {}, true};
+  PlotLine colour{"colour", {}}, alpha{"opacity", {}}, bytes{"size", {}, true};
   if (state.curve) {
     for (const CodebookPoint& point : *state.curve) {
       colour.points.emplace_back(point.codewords, point.colour_psnr_db);

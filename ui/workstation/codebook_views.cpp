@@ -64,27 +64,30 @@ void draw_codewords(Workspace& workspace, const CodedTextures& coded, const ImVe
                   area);
 }
 
-// The level's first cells from one view: as baked, and as the codebooks give them.
+// Cells around the level's fullest, from one view: as baked, and as the codebooks give them.
 void draw_textures(Workspace& workspace, const std::shared_ptr<const CodedTextures>& coded,
                    const ImVec2& area) {
   CodebookStepState& state = workspace.codebook;
   const Billboards& billboards = *workspace.results.billboards;
   const auto level = std::size_t(state.level), view = std::size_t(state.view);
-  const std::string place = std::to_string(level) + "/" + std::to_string(view);
+  const auto& rows = workspace.textures.rows;
+  const std::size_t first = level < rows.size() ? rows[level].fullest / kCells * kCells : 0;
+  const std::string place =
+      std::to_string(level) + "/" + std::to_string(view) + "/" + std::to_string(first);
   const Texture baked = workspace.pictures.show(
       "codebook/baked/" + place, textures_revision(workspace),
-      [&] { return view_textures(billboards, level, view, 0, kCells, kCellsAcross).picture; });
+      [&] { return view_textures(billboards, level, view, first, kCells, kCellsAcross).picture; });
   const glm::dvec2 size_px(baked.size_px);
   const ImVec2 half(std::max(1.0f, 0.49f * area.x), area.y);
-  draw_image_view("codebook/baked", state.textures_view, baked, size_px, half);
+  draw_sheet_view("codebook/baked", state.textures_view, baked, size_px, half);
   ImGui::SameLine();
   const Texture decoded =
       workspace.pictures.show("codebook/coded/" + place, revision_of(workspace), [&] {
-        return coded_view_textures(billboards, *coded, atlas_shown(state, coded), level, view, 0,
-                                   kCells, kCellsAcross)
+        return coded_view_textures(billboards, *coded, atlas_shown(state, coded), level, view,
+                                   first, kCells, kCellsAcross)
             .picture;
       });
-  draw_image_view("codebook/coded", state.textures_view, decoded, size_px, half);
+  draw_sheet_view("codebook/coded", state.textures_view, decoded, size_px, half);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 namespace bosk {
 namespace {
 
-constexpr int kLevel = 7;  // of what is seen: 4 MB and 50 ms a picture for the oak
+constexpr int kLevel = 7;      // of what is seen: 4 MB and 50 ms a picture for the oak
+constexpr int kFineLevel = 8;  // 24 MB and 90 ms
 
 // What stays the same over the passes of one stage.
 struct StageWatch {
@@ -38,8 +39,10 @@ template <class Volume>
 VolumeLook finished_look(const std::string& stage, const Volume& volume, const Photos& views,
                          const Mattes* mattes) {
   const bool belong = mattes && mattes->size() == views.size();
-  return look(stage, volume, views,
-              belong ? small_mattes(views, *mattes) : std::vector<SmallMatte>());
+  VolumeLook seen =
+      look(stage, volume, views, belong ? small_mattes(views, *mattes) : std::vector<SmallMatte>());
+  seen.fine = std::make_shared<const VolumeSnapshot>(snapshot_of(volume, kFineLevel));
+  return seen;
 }
 
 // Puts a look at one pass into the watch; whether to go on.

@@ -25,6 +25,8 @@ struct VolumeLook {
   std::string stage;          // opacity or radiance
   int pass = 0, planned = 0;  // 0: finished
   VolumeSnapshot volume;
+  std::shared_ptr<const VolumeSnapshot>
+      fine;                              // of a finished volume: for pictures that stand still
   std::vector<Camera> cameras;           // of the photos: pinhole, at the working size
   std::vector<PhotoResidual> residuals;  // of the same photos; empty without mattes
   std::vector<VolumePass> passes;        // of the stage's run so far

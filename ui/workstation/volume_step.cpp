@@ -124,7 +124,7 @@ void draw_state_of_look(const VolumeLook& look) {
   if (look.pass > 0) {
     badge(Tone::busy, "Pass " + std::to_string(look.pass) + " of " + std::to_string(look.planned));
   }
-  ImGui::TextDisabled("%zu cells, %d across", look.volume.cells, look.volume.side());
+  ImGui::TextDisabled("%zu cells", look.volume.cells);
 }
 
 void draw_controls(Workspace& workspace) {
@@ -167,6 +167,11 @@ void draw_convergence(const VolumeStepState& state, const ImVec2& area) {
   if (!psnr.points.empty()) {
     plot.right = PlotAxis{"dB"};
     plot.lines.push_back(psnr);
+  }
+  if (error.points.empty()) {
+    ImGui::BeginChild("no passes", area);
+    paragraph(Tone::muted, "Drawn while the volume is made.");
+    return ImGui::EndChild();
   }
   draw_plot("volume/convergence", plot, area);
 }

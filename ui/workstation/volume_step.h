@@ -20,6 +20,7 @@ struct VolumeView {
   int photo = -1;                                          // the camera; -1: the orbiting one
   double azimuth = 0.6, elevation = 0.15, distance = 1.6;  // of that; see orbit_camera
   int height_px = 0;
+  bool in_motion = false;  // under the hand: coarser
   bool operator==(const VolumeView&) const = default;
 };
 

@@ -26,8 +26,10 @@ void keep_drawn(Workspace& workspace, VolumePicture VolumeStepState::*member,
       1, int(std::lround(double(wanted.height_px) * camera.lens.width_px / camera.lens.height_px)));
   picture.job = workspace.jobs.start(
       "Drawing the volume",
-      [look = workspace.volume.look, camera, width_px, height_px = wanted.height_px](Progress&) {
-        return volume_picture(look->volume, camera, width_px, height_px);
+      [look = workspace.volume.look, camera, width_px, wanted](Progress&) {
+        const bool fine = look->fine && !wanted.in_motion;
+        return volume_picture(fine ? *look->fine : look->volume, camera, width_px,
+                              wanted.height_px);
       },
       [&picture, wanted](Image<glm::u8vec4> pixels) {
         picture.pixels = std::move(pixels);
@@ -89,7 +91,7 @@ void draw_slices(Workspace& workspace) {
   VolumeStepState& state = workspace.volume;
   const ImVec2 left = ImGui::GetContentRegionAvail();
   const float em = ImGui::GetFontSize();
-  const float edge = std::max(4.0f * em, std::min(0.32f * left.x, left.y / 3.0f - 2.6f * em));
+  const float edge = std::max(4.0f * em, std::min(left.x, (left.y - 2.0f * em) / 3.0f - 2.4f * em));
   for (int axis = 0; axis < 3; ++axis) draw_slice(workspace, axis, edge);
   bool colours = state.slice_look == SliceLook::colour;
   if (ImGui::Checkbox("colours", &colours)) {
@@ -121,6 +123,7 @@ void draw_orbit(Workspace& workspace, const ImVec2& area) {
   tooltip(state.orbiting ? "" : "drag to walk around it, wheel to come nearer");
   VolumeView wanted = state.orbit;
   wanted.look = state.look_revision;
+  wanted.in_motion = state.orbiting;
   wanted.height_px = std::clamp(int(area.y), 32, kTallest_px) / (state.orbiting ? 2 : 1);
   const int width_px = std::max(1, int(double(wanted.height_px) * double(area.x) / double(area.y)));
   const Camera camera = orbit_camera(state.look->volume, wanted.azimuth, wanted.elevation,
@@ -202,14 +205,14 @@ void draw_photo_choice(VolumeStepState& state) {
                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   mark("volume/photo_choice");
   ImGui::SameLine();
-  ImGui::TextDisabled("photo | the volume from there");
+  ImGui::TextDisabled("photo | volume");
 }
 
 }  // namespace
 
 void draw_volume_views(Workspace& workspace) {
   const ImVec2 left = ImGui::GetContentRegionAvail();
-  const float slices = std::min(0.22f * left.x, left.y / 3.0f);
+  const float slices = std::min(0.22f * left.x, left.y / 3.4f);
   ImGui::BeginChild("slices", {slices, 0}, false, ImGuiWindowFlags_NoScrollWithMouse);
   draw_slices(workspace);
   ImGui::EndChild();
