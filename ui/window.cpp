@@ -71,11 +71,15 @@ void Window::listen(GLFWwindow* window) {
     heard.mouse_path.emplace_back(x, y);
   });
   glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { note(of); });
-  glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
+  glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int held) {
     note(of);
     Heard& heard = heard_by(of);
     if (action == GLFW_PRESS) heard.pressed_keys.push_back(key);
-    if (action != GLFW_RELEASE) heard.typed_keys.push_back(key);
+    if (action == GLFW_RELEASE) return;
+    heard.typed_keys.push_back(key);
+    heard.typed_modifiers.ctrl |= (held & GLFW_MOD_CONTROL) != 0;
+    heard.typed_modifiers.shift |= (held & GLFW_MOD_SHIFT) != 0;
+    heard.typed_modifiers.alt |= (held & GLFW_MOD_ALT) != 0;
   });
 }
 

@@ -33,6 +33,12 @@ class Window {
   std::vector<int> take_pressed_keys() { return std::exchange(heard_.pressed_keys, {}); }
   // The same with the repeats of keys held down.
   std::vector<int> take_typed_keys() { return std::exchange(heard_.typed_keys, {}); }
+  // Ctrl, Shift and Alt as they were held with any of these; asked after take_typed_keys. A slow
+  // frame sees only that they were let go again.
+  struct Modifiers {
+    bool ctrl = false, shift = false, alt = false;
+  };
+  Modifiers take_typed_modifiers() { return std::exchange(heard_.typed_modifiers, {}); }
   std::vector<std::filesystem::path> take_dropped() { return std::exchange(heard_.dropped, {}); }
   // Where the mouse was since the last call, oldest first: a slow frame sees only its last place.
   std::vector<glm::vec2> take_mouse_path() { return std::exchange(heard_.mouse_path, {}); }
@@ -61,6 +67,7 @@ class Window {
   struct Heard {
     bool any = false;
     std::vector<int> pressed_keys, typed_keys;
+    Modifiers typed_modifiers;
     std::vector<std::filesystem::path> dropped;
     std::vector<glm::vec2> mouse_path;
     LeftButton left;

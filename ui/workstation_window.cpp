@@ -81,6 +81,10 @@ class WorkstationLoop {
 
   void take_input() {
     workspace_.input.keys = window_.take_typed_keys();
+    const Window::Modifiers held = window_.take_typed_modifiers();
+    workspace_.input.ctrl = held.ctrl;
+    workspace_.input.shift = held.shift;
+    workspace_.input.alt = held.alt;
     workspace_.input.dropped = window_.take_dropped();
     workspace_.input.focus_lost = window_.take_focus_loss();
     const Window::LeftButton left = window_.take_left_button();

@@ -37,6 +37,20 @@ std::size_t textures_kept(std::span<const std::uint16_t> alpha_indices,
   return kept;
 }
 
+std::size_t fullest_cell(const BillboardLevel& level) {
+  constexpr std::size_t kLookedAt = 20'000;
+  const std::size_t texels = level.views.size() * level.texture_size();
+  const std::size_t step = std::max<std::size_t>(1, level.cells.size() / kLookedAt);
+  std::size_t fullest = 0;
+  std::uint64_t most = 0;
+  for (std::size_t cell = 0; cell < level.cells.size(); cell += step) {
+    std::uint64_t opacity = 0;
+    for (std::size_t i = 0; i < texels; ++i) opacity += level.texture[cell * texels + i].a;
+    if (opacity > most) most = opacity, fullest = cell;
+  }
+  return fullest;
+}
+
 std::vector<LevelStatistics> level_statistics(const Billboards& billboards) {
   std::vector<LevelStatistics> statistics(billboards.levels.size());
   tbb::parallel_for(std::size_t(0), statistics.size(), [&](std::size_t i) {

@@ -25,6 +25,10 @@ struct LevelStatistics {
 };
 std::vector<LevelStatistics> level_statistics(const Billboards& billboards);
 
+// The cell, by its place, whose textures are the most opaque in all; 0 where there is none. Of many
+// cells only every few are looked at, so that it takes milliseconds.
+std::size_t fullest_cell(const BillboardLevel& level);
+
 // Textures that have any block that isn't pruned, of a level's alpha indices.
 std::size_t textures_kept(std::span<const std::uint16_t> alpha_indices,
                           std::size_t blocks_per_texture);

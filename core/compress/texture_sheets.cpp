@@ -35,6 +35,25 @@ void put_block(const glm::ivec2& corner, const Texel& texel, TileSheet& sheet) {
   }
 }
 
+// One level as its codebooks give it.
+struct CodedSource {
+  const CodedTextures& textures;
+  const std::vector<glm::u8vec4>& atlas;
+  std::size_t level = 0;
+};
+
+void put_coded(const BillboardLevel& level, const CodedSource& coded, std::size_t texture, int tile,
+               TileSheet& sheet) {
+  const int across = level.texels / kBlock, blocks = across * across;
+  for (int i = 0; i < blocks; ++i) {
+    const std::size_t block = texture * std::size_t(blocks) + std::size_t(i);
+    const BlockTexels texels = decoded_block(coded.textures, coded.atlas, coded.level, block);
+    const glm::ivec2 corner = sheet.corner_px(tile) + kBlock * glm::ivec2(i % across, i / across);
+    put_block(
+        corner, [&](std::size_t texel) { return texels[texel]; }, sheet);
+  }
+}
+
 }  // namespace
 
 TileSheet cell_textures(const Billboards& billboards, std::size_t level, std::size_t cell,
@@ -56,16 +75,8 @@ TileSheet coded_cell_textures(const Billboards& billboards, const CodedTextures&
   const std::size_t views = source.views.size();
   assert(cell < source.cells.size());
   TileSheet sheet = empty_sheet(source.texels, views, across);
-  const int blocks_across = source.texels / kBlock, blocks = blocks_across * blocks_across;
   for (std::size_t view = 0; view < views; ++view) {
-    for (int i = 0; i < blocks; ++i) {
-      const glm::ivec2 place(i % blocks_across, i / blocks_across);
-      const std::size_t block = (cell * views + view) * std::size_t(blocks) + std::size_t(i);
-      const BlockTexels texels = decoded_block(textures, atlas, level, block);
-      put_block(
-          sheet.corner_px(int(view)) + kBlock * place,
-          [&](std::size_t texel) { return texels[texel]; }, sheet);
-    }
+    put_coded(source, {textures, atlas, level}, cell * views + view, int(view), sheet);
   }
   return sheet;
 }
@@ -78,6 +89,21 @@ TileSheet view_textures(const Billboards& billboards, std::size_t level, std::si
   TileSheet sheet = empty_sheet(source.texels, end - std::min(first_cell, end), across);
   for (std::size_t cell = first_cell; cell < end; ++cell) {
     put_texture(source, cell * source.views.size() + view, int(cell - first_cell), sheet);
+  }
+  return sheet;
+}
+
+TileSheet coded_view_textures(const Billboards& billboards, const CodedTextures& textures,
+                              const std::vector<glm::u8vec4>& atlas, std::size_t level,
+                              std::size_t view, std::size_t first_cell, std::size_t cells,
+                              int across) {
+  const BillboardLevel& source = billboards.levels.at(level);
+  assert(view < source.views.size());
+  const std::size_t end = std::min(first_cell + cells, source.cells.size());
+  TileSheet sheet = empty_sheet(source.texels, end - std::min(first_cell, end), across);
+  for (std::size_t cell = first_cell; cell < end; ++cell) {
+    put_coded(source, {textures, atlas, level}, cell * source.views.size() + view,
+              int(cell - first_cell), sheet);
   }
   return sheet;
 }

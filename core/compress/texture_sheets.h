@@ -34,6 +34,12 @@ TileSheet coded_cell_textures(const Billboards& billboards, const CodedTextures&
 TileSheet view_textures(const Billboards& billboards, std::size_t level, std::size_t view,
                         std::size_t first_cell, std::size_t cells, int across);
 
+// The same as it comes out of the codebooks.
+TileSheet coded_view_textures(const Billboards& billboards, const CodedTextures& textures,
+                              const std::vector<glm::u8vec4>& atlas, std::size_t level,
+                              std::size_t view, std::size_t first_cell, std::size_t cells,
+                              int across);
+
 // A level's codewords in their order: colours, opaque; alphas as white of that opacity.
 TileSheet colour_codewords(const CodedTextures& textures, std::size_t level, int across = 32);
 TileSheet alpha_codewords(const CodedTextures& textures, std::size_t level, int across = 32);

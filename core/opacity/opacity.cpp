@@ -111,19 +111,27 @@ OpacityTree start_level(const OpacityTree& coarser, const std::vector<Silhouette
 // Counts iterations over all levels, tells the watcher, and says whether to go on.
 class Iterations {
  public:
-  Iterations(const OpacityOptions& options, int levels, const OpacityWatcher& watcher)
-      : stop_after_(options.stop_after), planned_(levels * options.passes), watcher_(watcher) {
+  Iterations(const OpacityOptions& options, int levels, const Photos& photos, const Mattes& mattes,
+             const OpacityWatcher& watcher)
+      : stop_after_(options.stop_after),
+        planned_(levels * options.passes),
+        photos_(photos),
+        mattes_(mattes),
+        watcher_(watcher) {
     if (stop_after_ > 0) planned_ = std::min(planned_, stop_after_);
   }
 
   bool go_on(const OpacityTree& tree, double mean_error) {
     ++iteration_;
-    const bool wanted = !watcher_ || watcher_({tree, iteration_, planned_, mean_error});
+    const bool wanted =
+        !watcher_ || watcher_({tree, iteration_, planned_, mean_error, photos_, mattes_});
     return wanted && iteration_ != stop_after_;
   }
 
  private:
   int stop_after_ = 0, planned_ = 0, iteration_ = 0;
+  const Photos& photos_;
+  const Mattes& mattes_;
   const OpacityWatcher& watcher_;
 };
 
@@ -211,7 +219,7 @@ OpacityTree estimate_opacity(const Photos& photos, const Mattes& mattes,
 
   OpacityTree tree;
   const int coarsest = std::min(kCoarsestLevel, finest);
-  Iterations iterations(options, finest - coarsest + 1, watcher);
+  Iterations iterations(options, finest - coarsest + 1, photos, mattes, watcher);
   for (int level = coarsest; level <= finest; ++level) {
     const double end = std::max(kCrownShare, share_up_to(level, finest));
     const double start = std::max(kCrownShare, share_up_to(level - 1, finest));

@@ -43,6 +43,8 @@ struct OpacityPreview {
   int iteration = 0;        // from 1, over all levels
   int planned = 0;          // iterations in all; fewer where a pass gains nothing
   double mean_error = 0.0;  // mean |alpha - matte| over the rays of the last pass
+  const Photos& photos;     // that it is made from
+  const Mattes& mattes;
 };
 // Returns whether to go on. On false the tree is what estimate_opacity gives with `stop_after` at
 // this iteration: that of the level reached, which may be coarser than the finest.

@@ -1,14 +1,13 @@
 #include "core/package/billboard_sample.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/compress/blocks.h"
 
 namespace bosk {
 namespace {
 
-constexpr std::size_t kFewestSubtrees = 100;  // so that chance differences between them even out
+constexpr std::size_t kFewestSubtrees = 1000;  // so that chance differences between them even out
 
 // The subtrees that are taken: every `step`-th of a level's cells and all below it.
 struct Choice {
@@ -25,11 +24,9 @@ struct Choice {
 };
 
 Choice choose(const Billboards& billboards, std::size_t blocks) {
-  const auto all = std::accumulate(
-      billboards.levels.begin(), billboards.levels.end(), std::size_t(0),
-      [](std::size_t sum, const BillboardLevel& level) { return sum + block_count(level); });
   Choice choice;
-  choice.step = std::max<std::size_t>(1, all / std::max<std::size_t>(blocks, 1));
+  choice.step =
+      std::max<std::size_t>(1, block_count(billboards) / std::max<std::size_t>(blocks, 1));
   for (const BillboardLevel& level : billboards.levels) {
     if (level.cells.size() < kFewestSubtrees * choice.step) continue;
     choice.level = level.level;
@@ -53,20 +50,26 @@ BillboardLevel taken(const BillboardLevel& level, const Choice& choice) {
   return part;
 }
 
+BillboardSample whole(const Billboards& billboards) {
+  return {billboards, std::vector<double>(billboards.levels.size(), 1.0)};
+}
+
 }  // namespace
+
+std::size_t block_count(const Billboards& billboards) {
+  std::size_t count = 0;
+  for (const BillboardLevel& level : billboards.levels) count += block_count(level);
+  return count;
+}
 
 BillboardSample sample_of(const Billboards& billboards, std::size_t blocks) {
   const Choice choice = choose(billboards, blocks);
   BillboardSample sample;
-  if (choice.step == 1) {
-    sample.billboards = billboards;
-    sample.scale.assign(billboards.levels.size(), 1.0);
-    return sample;
-  }
+  if (choice.step == 1) return whole(billboards);
   sample.billboards = {billboards.origin, billboards.size_m, billboards.view_positions, {}};
   for (const BillboardLevel& level : billboards.levels) {
     BillboardLevel part = taken(level, choice);
-    if (part.cells.empty()) continue;
+    if (part.cells.empty()) return whole(billboards);
     sample.scale.push_back(double(level.cells.size()) / double(part.cells.size()));
     sample.billboards.levels.push_back(std::move(part));
   }

@@ -1,6 +1,7 @@
 #include "core/package/codebook_curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -45,31 +46,92 @@ bool fits(const KindCounts& kinds, int codewords) {
          kMostTiles;
 }
 
-// Bytes of the sample's sections, scaled up to the tree.
-void add_bytes(const std::vector<std::byte>& package, const std::vector<double>& scale,
-               CodebookPoint& point) {
+struct SectionBytes {
   double colour = 0.0, alpha = 0.0, other = 0.0;
+};
+struct PackedBytes {
+  SectionBytes fixed;                // that every part of the tree needs: codewords, header
+  std::vector<SectionBytes> levels;  // indices and cells
+};
+
+PackedBytes packed_bytes(const Billboards& billboards, const CodedTextures& textures,
+                         Progress& progress) {
+  const std::vector<std::byte> package =
+      package_bytes(assemble_tree(billboards, textures, {}), progress);
   const Container container = open_container(package);
+  PackedBytes bytes;
+  bytes.levels.resize(billboards.levels.size());
   for (const SectionEntry& section : container.sections) {
-    const auto bytes = double(section.length);
+    const auto length = double(section.length + kEntryBytes);
     if (section.type == kAtlasSection) {  // three channels of colour and one of alpha
-      colour += 0.75 * bytes, alpha += 0.25 * bytes;
+      bytes.fixed.colour += 0.75 * length, bytes.fixed.alpha += 0.25 * length;
     } else if (section.type == kBc3Section) {  // half of a block each
-      colour += 0.5 * bytes, alpha += 0.5 * bytes;
+      bytes.fixed.colour += 0.5 * length, bytes.fixed.alpha += 0.5 * length;
     } else if (section.type == kColourSection) {
-      colour += scale[section.instance] * bytes;
+      bytes.levels[section.instance].colour += length;
     } else if (section.type == kAlphaSection) {
-      alpha += scale[section.instance] * bytes;
+      bytes.levels[section.instance].alpha += length;
     } else if (section.type == kCellsSection || section.type == kLiveSection) {
-      other += scale[section.instance] * bytes;
+      bytes.levels[section.instance].other += length;
     } else {
-      other += bytes;
+      bytes.fixed.other += length;
     }
   }
-  other += double(kHeaderBytes + kEntryBytes * container.sections.size());
-  point.colour_bytes = std::size_t(std::lround(colour));
-  point.alpha_bytes = std::size_t(std::lround(alpha));
-  point.other_bytes = std::size_t(std::lround(other));
+  return bytes;
+}
+
+// The indices of those cells of `whole` that `part` has too.
+CodedTextures part_of(const CodedTextures& textures, const Billboards& whole,
+                      const Billboards& part) {
+  CodedTextures result = textures;
+  for (std::size_t i = 0; i < part.levels.size(); ++i) {
+    const auto& cells = whole.levels[i].cells;
+    const CodedLevel& from = textures.levels[i];
+    CodedLevel& to = result.levels[i];
+    to.alpha_indices.clear();
+    to.colour_indices.clear();
+    const auto blocks = std::ptrdiff_t(from.alpha_indices.size() / cells.size());
+    for (const std::uint64_t cell : part.levels[i].cells) {
+      const auto first =
+          blocks * (std::lower_bound(cells.begin(), cells.end(), cell) - cells.begin());
+      const auto copy = [&](const std::vector<std::uint16_t>& all,
+                            std::vector<std::uint16_t>& some) {
+        some.insert(some.end(), all.begin() + first, all.begin() + first + blocks);
+      };
+      copy(from.alpha_indices, to.alpha_indices);
+      copy(from.colour_indices, to.colour_indices);
+    }
+  }
+  return result;
+}
+
+// Bytes of all cells by those of some and of half of the same. The coder learns as it goes, so that
+// further cells cost what the second half cost and not what the first did.
+double bytes_of_all(double some, double half, double scale, double scale_of_half) {
+  const double further = scale - 1.0, second = 1.0 - 1.0 / scale_of_half;
+  return second > 0.0 ? some + further * (some - half) / second : scale * some;
+}
+
+// Scales the sample's bytes up to the tree.
+void add_bytes(const BillboardSample& sample, const CodedTextures& textures, Progress& progress,
+               CodebookPoint& point) {
+  const BillboardSample half = sample_of(sample.billboards, block_count(sample.billboards) / 2);
+  const PackedBytes some = packed_bytes(sample.billboards, textures, progress);
+  const PackedBytes fewer = packed_bytes(
+      half.billboards, part_of(textures, sample.billboards, half.billboards), progress);
+  SectionBytes all = some.fixed;
+  for (std::size_t i = 0; i < some.levels.size(); ++i) {
+    const auto add = [&](double SectionBytes::*kind) {
+      all.*kind +=
+          bytes_of_all(some.levels[i].*kind, fewer.levels[i].*kind, sample.scale[i], half.scale[i]);
+    };
+    add(&SectionBytes::colour);
+    add(&SectionBytes::alpha);
+    add(&SectionBytes::other);
+  }
+  point.colour_bytes = std::size_t(std::lround(all.colour));
+  point.alpha_bytes = std::size_t(std::lround(all.alpha));
+  point.other_bytes = kHeaderBytes + std::size_t(std::lround(all.other));
 }
 
 void add_quality(const BillboardSample& sample, const CodedTextures& textures, Progress& progress,
@@ -92,8 +154,7 @@ CodebookPoint point_of(const BillboardSample& sample, const CompressOptions& opt
   const CodedTextures textures = compress_billboards(sample.billboards, options, progress);
   part.emplace(progress, kCodingShare, 1.0);
   add_quality(sample, textures, progress, point);
-  const TreeModel tree = assemble_tree(sample.billboards, textures, {});
-  add_bytes(package_bytes(tree, progress), sample.scale, point);
+  add_bytes(sample, textures, progress, point);
   return point;
 }
 
@@ -103,6 +164,27 @@ std::vector<int> usual_codeword_counts() {
   std::vector<int> counts;
   for (int count = 16; count <= 4096; count *= 2) counts.push_back(count);
   return counts;
+}
+
+CodebookPoint at_codewords(std::span<const CodebookPoint> curve, int codewords) {
+  assert(!curve.empty());
+  const auto after = std::find_if(curve.begin(), curve.end(), [&](const CodebookPoint& point) {
+    return point.codewords >= codewords;
+  });
+  if (after == curve.begin()) return curve.front();
+  if (after == curve.end()) return curve.back();
+  const CodebookPoint &a = *(after - 1), &b = *after;
+  const double part =
+      std::log(double(codewords) / a.codewords) / std::log(double(b.codewords) / a.codewords);
+  const auto bytes = [&](std::size_t from, std::size_t to) {
+    return std::size_t(std::lround(std::lerp(double(from), double(to), part)));
+  };
+  return {codewords,
+          std::lerp(a.colour_psnr_db, b.colour_psnr_db, part),
+          std::lerp(a.alpha_psnr_db, b.alpha_psnr_db, part),
+          bytes(a.colour_bytes, b.colour_bytes),
+          bytes(a.alpha_bytes, b.alpha_bytes),
+          bytes(a.other_bytes, b.other_bytes)};
 }
 
 std::vector<CodebookPoint> codebook_curve(const Billboards& billboards,

@@ -18,7 +18,7 @@ struct CodebookPoint {
   double colour_psnr_db = 0.0;  // over all levels: see overall_psnr
   double alpha_psnr_db = 0.0;
   std::size_t colour_bytes = 0, alpha_bytes = 0;  // of the package, about: indices and codewords
-  std::size_t other_bytes = 0;                    // which no number of codewords changes
+  std::size_t other_bytes = 0;                    // cells and whatever else there is
 
   std::size_t package_bytes() const { return colour_bytes + alpha_bytes + other_bytes; }
 };
@@ -26,6 +26,10 @@ using OnCodebookPoint = std::function<void(const CodebookPoint&)>;
 
 // 16, 32, ... 4096.
 std::vector<int> usual_codeword_counts();
+
+// The curve between its points, straight over the logarithm of `codewords`; its ends beyond them.
+// Needs a point or more, in ascending order.
+CodebookPoint at_codewords(std::span<const CodebookPoint> curve, int codewords);
 
 // Rate against distortion for each of `codewords`, in that order, each told as soon as it is known;
 // numbers whose codewords don't fit into the atlas are left out. Codes and packs a sample of the

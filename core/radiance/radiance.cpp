@@ -114,16 +114,16 @@ int finest_step(const Photos& photos, const Mattes& mattes, const RadianceVolume
 // Counts epochs over all phases, tells the watcher, and says whether to go on.
 class Epochs {
  public:
-  Epochs(const RadianceOptions& options, const std::vector<Phase>& phases,
-         const RadianceWatcher& watcher)
-      : stop_after_(options.stop_after), watcher_(watcher) {
+  Epochs(const RadianceOptions& options, const std::vector<Phase>& phases, const Photos& photos,
+         const Mattes& mattes, const RadianceWatcher& watcher)
+      : stop_after_(options.stop_after), photos_(photos), mattes_(mattes), watcher_(watcher) {
     for (const Phase& phase : phases) planned_ += phase.epochs;
     if (stop_after_ > 0) planned_ = std::min(planned_, stop_after_);
   }
 
   bool go_on(const RadianceVolume& volume, double psnr_db) {
     ++done_;
-    const bool wanted = !watcher_ || watcher_({volume, done_, planned_, psnr_db});
+    const bool wanted = !watcher_ || watcher_({volume, done_, planned_, psnr_db, photos_, mattes_});
     stopped_ = !wanted || done_ == stop_after_;
     return !stopped_;
   }
@@ -133,6 +133,8 @@ class Epochs {
  private:
   int stop_after_ = 0, planned_ = 0, done_ = 0;
   bool stopped_ = false;
+  const Photos& photos_;
+  const Mattes& mattes_;
   const RadianceWatcher& watcher_;
 };
 
@@ -264,7 +266,7 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
   volume = without_faint(volume, kFaintStart);
   const std::vector<Phase> phases = phases_of(
       options, opacity.level(), finest_step(photos, mattes, volume, options.max_samples, progress));
-  Epochs epochs(options, phases, watcher);
+  Epochs epochs(options, phases, photos, mattes, watcher);
   const std::vector<double> shares = shares_of(phases);
   std::optional<Phase> cast;  // the phase whose rays `cache` holds
   RayCache cache;

@@ -53,6 +53,8 @@ struct RadiancePreview {
   int epoch = 0;         // from 1, over all levels
   int planned = 0;       // epochs in all
   double psnr_db = 0.0;  // of the rays of the epoch, premultiplied colour and alpha
+  const Photos& photos;  // that it is made from
+  const Mattes& mattes;
 };
 // Returns whether to go on. On false the volume is what refine_radiance gives with `stop_after` at
 // this epoch: that of the level reached, without its faint cells.

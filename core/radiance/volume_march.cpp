@@ -37,27 +37,40 @@ float steps_to_leave(const glm::vec3& at, const glm::vec3& direction, const glm:
   return std::max(1.0f, std::ceil(nearest));
 }
 
-glm::vec4 marched(const VolumeSnapshot& volume, const March& ray) {
-  const glm::ivec3 last(volume.side() - 1);
-  glm::vec3 colour(0.0f);
-  float left = 1.0f;
-  for (float s = ray.from; s < ray.to && left > kFollowed;) {
-    const glm::vec3 at = ray.origin + ray.direction * s, floor = glm::floor(at);
-    const glm::ivec3 base = glm::clamp(glm::ivec3(floor), glm::ivec3(-1), last);
-    const VolumeSnapshot::Brick* brick = brick_around(volume, base);
-    if (!brick) {
-      s += steps_to_leave(at, ray.direction, base);
-      continue;
-    }
-    s += 1.0f;
-    const glm::vec3 fraction = glm::clamp(at - glm::vec3(base), 0.0f, 1.0f);
-    const glm::vec4 sample = sample_brick(*brick, fraction, base & 7);
-    if (sample.w <= 0.0f) continue;
+// What a ray has gathered on its way.
+struct Gathered {
+  glm::vec3 colour{0.0f};
+  float left = 1.0f;  // of the light
+
+  void add(const glm::vec4& sample) {
+    if (sample.w <= 0.0f) return;
     const float kept = std::exp(-sample.w);
     colour += glm::vec3(sample) * (left * (1.0f - kept) / sample.w);
     left *= kept;
   }
-  return {colour, 1.0f - left};
+};
+
+glm::vec4 marched(const VolumeSnapshot& volume, const March& ray) {
+  const glm::ivec3 last(volume.side() - 1);
+  Gathered gathered;
+  for (float s = ray.from; s < ray.to && gathered.left > kFollowed;) {
+    const glm::vec3 at = ray.origin + ray.direction * s;
+    const glm::ivec3 base = glm::clamp(glm::ivec3(glm::floor(at)), glm::ivec3(-1), last);
+    const float end = std::min(s + steps_to_leave(at, ray.direction, base), ray.to);
+    const VolumeSnapshot::Brick* brick = brick_around(volume, base);
+    if (!brick) {
+      s = end;
+      continue;
+    }
+    const glm::vec3 start = ray.origin - glm::vec3(base & ~7);  // from the brick's first cell
+    for (; s < end && gathered.left > kFollowed; s += 1.0f) {
+      const glm::vec3 in_brick = glm::clamp(start + ray.direction * s, 0.0f, 7.9999f);
+      const glm::ivec3 inside(in_brick);
+      if (!brick->any(inside)) continue;
+      gathered.add(sample_brick(*brick, in_brick - glm::vec3(inside), inside));
+    }
+  }
+  return {gathered.colour, 1.0f - gathered.left};
 }
 
 }  // namespace

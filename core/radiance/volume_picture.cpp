@@ -62,7 +62,7 @@ Image<glm::u8vec4> volume_picture(const VolumeSnapshot& volume, const Camera& pi
 }
 
 Camera orbit_camera(const VolumeSnapshot& volume, double azimuth, double elevation, double distance,
-                    int width_px, int height_px, double vertical_view) {
+                    int width_px, int height_px, double view) {
   const glm::dvec3 out(std::cos(elevation) * std::cos(azimuth),
                        std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
   const glm::dvec3 right(-std::sin(azimuth), std::cos(azimuth), 0.0);
@@ -74,7 +74,7 @@ Camera orbit_camera(const VolumeSnapshot& volume, double azimuth, double elevati
   camera.camera_from_world.translation = -(camera.camera_from_world.rotation * eye);
   camera.lens.width_px = width_px;
   camera.lens.height_px = height_px;
-  camera.lens.focal_px = glm::dvec2(0.5 * height_px / std::tan(0.5 * vertical_view));
+  camera.lens.focal_px = glm::dvec2(0.5 * std::min(width_px, height_px) / std::tan(0.5 * view));
   camera.lens.principal_px = 0.5 * glm::dvec2(width_px, height_px) - 0.5;
   return camera;
 }

@@ -16,10 +16,9 @@ Image<glm::u8vec4> volume_picture(const VolumeSnapshot& volume, const Camera& pi
                                   int height_px);
 
 // A camera that looks at the centre of the volume's bounds from `distance` longest edges of them
-// away, +z up. `elevation` within +-pi/2; `vertical_view` is the angle from the picture's top edge
-// to its bottom edge.
+// away, +z up. `elevation` within +-pi/2; `view` is the angle across the picture's shorter edge.
 Camera orbit_camera(const VolumeSnapshot& volume, double azimuth, double elevation, double distance,
-                    int width_px, int height_px, double vertical_view = 0.7);
+                    int width_px, int height_px, double view = 0.7);
 
 // A cut through the volume's bounds across `axis` (0 x, 1 y, 2 z) at `position` of them, 0 to 1: a
 // square as large as their longest edge, around their centre. Upwards is +z (+y in cuts across z),

@@ -8,6 +8,7 @@ namespace bosk {
 namespace {
 
 constexpr int kBrick = VolumeSnapshot::kBrick, kStored = VolumeSnapshot::kStored;
+constexpr float kNothing = 1e-4f;  // extinction per cell: a ray through 100 of them keeps 99 %
 constexpr std::size_t kBrickCells = std::size_t(kBrick * kBrick * kBrick);
 
 // What a snapshot is made from; `colour` is null where there is none, else `stride` numbers a cell
@@ -93,6 +94,23 @@ VolumeSnapshot::Cell cell_of(const glm::vec4& sum) {
   return cell;
 }
 
+void mark_anything(VolumeSnapshot::Brick& brick) {
+  const auto extinction = [&](int x, int y, int z) {
+    return brick.cells[std::size_t((z * kStored + y) * kStored + x)].extinction;
+  };
+  for (int z = 0; z < kBrick; ++z) {
+    for (int y = 0; y < kBrick; ++y) {
+      for (int x = 0; x < kBrick; ++x) {
+        float most = 0.0f;
+        for (int i = 0; i < 8; ++i) {
+          most = std::max(most, extinction(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2)));
+        }
+        if (most > kNothing) brick.layers[std::size_t(z)] |= std::uint64_t(1) << (8 * y + x);
+      }
+    }
+  }
+}
+
 // The brick's cells and the first layers of the seven bricks behind it.
 VolumeSnapshot::Brick closed_brick(const OpenBrick& open, const VolumeSnapshot& snapshot,
                                    const std::vector<OpenBrick>& bricks) {
@@ -112,10 +130,11 @@ VolumeSnapshot::Brick closed_brick(const OpenBrick& open, const VolumeSnapshot& 
         const OpenBrick* brick = behind[std::size_t(next)];
         if (!brick) continue;
         const int inside = (z % kBrick * kBrick + y % kBrick) * kBrick + x % kBrick;
-        closed[place] = cell_of(brick->sums[std::size_t(inside)]);
+        closed.cells[place] = cell_of(brick->sums[std::size_t(inside)]);
       }
     }
   }
+  mark_anything(closed);
   return closed;
 }
 

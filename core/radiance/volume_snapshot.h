@@ -20,9 +20,17 @@ struct VolumeSnapshot {
 
   struct Cell {
     float extinction = 0.0f;               // per cell edge
-    glm::u8vec4 srgb{128, 128, 128, 255};  // straight; a is unused
+    glm::u8vec4 srgb{128, 128, 128, 255};  // straight; a is always 255
   };
-  using Brick = std::array<Cell, std::size_t(kStored* kStored* kStored)>;  // x fastest
+  struct Brick {
+    std::array<Cell, std::size_t(kStored* kStored* kStored)> cells{};  // x fastest
+    // Of each layer, bit 8 y + x: whether there is anything between the cell and its neighbours.
+    std::array<std::uint64_t, kBrick> layers{};
+
+    bool any(const glm::ivec3& inside) const {
+      return (layers[std::size_t(inside.z)] >> (8 * inside.y + inside.x) & 1) != 0;
+    }
+  };
 
   glm::dvec3 origin{0.0};  // lower corner of the cube, world
   double size_m = 1.0;

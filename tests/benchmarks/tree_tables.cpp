@@ -11,6 +11,7 @@
 #include <iostream>
 #include <string>
 
+#include "core/compress/level_statistics.h"
 #include "core/render/draw_list.h"
 #include "core/render/level_switch.h"
 #include "tests/benchmarks/packages.h"
@@ -30,11 +31,8 @@ struct Tree {
 double blocks_of(const TreeLevel& level) { return double(level.alpha_indices.size()); }
 
 double textures_kept(const TreeLevel& level) {
-  double kept = 0.0;
-  for (std::uint32_t cell = 0; cell < level.cells.size(); ++cell)
-    for (std::uint32_t view = 0; view < level.views.size(); ++view)
-      kept += is_pruned(level, cell, view) ? 0.0 : 1.0;
-  return kept;
+  const std::size_t blocks_per_texture = std::size_t(level.texels * level.texels) / 16;
+  return double(bosk::textures_kept(level.alpha_indices, blocks_per_texture));
 }
 
 // Billboards that are drawn of the level alone, on average over a turn around the tree.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "leafy_billboards.h"
 
@@ -55,6 +56,19 @@ TEST(RateDistortion, MeasuresAKnownError) {
   EXPECT_EQ(got.raw_bytes, 4u * 64u);
   EXPECT_EQ(got.index_bytes, 1u);  // 3.2 bits
   EXPECT_EQ(got.codeword_bytes, 16u);
+}
+
+TEST(OverallPsnr, IsThatOfTheMeanSquareOverBlocksThatAreShown) {
+  std::vector<LevelRateDistortion> levels(2);
+  levels[0].blocks = 40, levels[0].pruned = 10;  // 30 shown at 0.01
+  levels[0].colour_psnr_db = levels[0].alpha_psnr_db = 20.0;
+  levels[1].blocks = 10;  // 10 shown at 0.0001, and exact
+  levels[1].colour_psnr_db = 40.0;
+  levels[1].alpha_psnr_db = std::numeric_limits<double>::infinity();
+  const OverallPsnr psnr = overall_psnr(levels);
+  EXPECT_NEAR(psnr.colour_db, -10.0 * std::log10((30 * 0.01 + 10 * 0.0001) / 40), 1e-12);
+  EXPECT_NEAR(psnr.alpha_db, -10.0 * std::log10(30 * 0.01 / 40), 1e-12);
+  EXPECT_TRUE(std::isinf(overall_psnr({&levels[1], 1}).alpha_db));
 }
 
 TEST(RateDistortion, FallsWithFewerCodewords) {

@@ -70,6 +70,22 @@ TEST(OrbitCamera, LooksAtTheMiddleWithZUpwards) {
   EXPECT_LT(above->y, centre->y);
 }
 
+TEST(OrbitCamera, ShowsAllOfTheVolumeWhateverThePicturesShape) {
+  const VolumeSnapshot block = snapshot_of(even_block());
+  for (const glm::ivec2 size : {glm::ivec2(80, 60), glm::ivec2(40, 160)}) {
+    const Camera camera = orbit_camera(block, 0.7, 0.3, 2.7, size.x, size.y);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::dvec3 part(corner & 1, corner >> 1 & 1, corner >> 2);
+      const auto seen = project(camera, block.bounds.lower + part * block.bounds.size());
+      ASSERT_TRUE(seen);
+      EXPECT_GT(seen->x, -0.5);
+      EXPECT_LT(seen->x, size.x - 0.5);
+      EXPECT_GT(seen->y, -0.5);
+      EXPECT_LT(seen->y, size.y - 0.5);
+    }
+  }
+}
+
 TEST(SlicePicture, ShowsACellAtItsPlace) {
   // Two corners of the bounds, and one cell near the lower corner in x, high in y and z.
   const OpacityTree tree{glm::dvec3(0.0),

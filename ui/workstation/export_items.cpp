@@ -194,7 +194,8 @@ ExportItem report_item(Workspace& workspace) {
   item.usual = "report";
   item.obstacle = obstacle_to(workspace, "pack");
   const std::size_t photos = workspace.capture ? workspace.capture->photos.size() : 0;
-  item.size = about(estimated_report_bytes(photos / std::size_t(held_out.every)));
+  item.size =
+      about(estimated_report_bytes(views_of(workspace), photos / std::size_t(held_out.every)));
   item.files = [](const fs::path& path) {
     return std::vector<fs::path>{path / "report.html", path / "contact-sheet.png",
                                  path / "figures.txt", path / "figures.json"};

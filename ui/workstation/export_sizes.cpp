@@ -1,12 +1,16 @@
 #include "ui/workstation/export_sizes.h"
 
+#include <algorithm>
+
 namespace bosk {
 namespace {
 
 // Bytes of a PNG a pixel, as measured on rendered and photographed trees: leaves hardly compress,
 // clear pixels nearly vanish.
 constexpr double kBytesOfTree = 3.0, kBytesOfEdge = 0.8, kBytesOfClear = 0.03;
-constexpr double kBytesOfScene = 1.4;  // sky, ground and a tree
+constexpr double kBytesOfScene = 0.5;   // sky, ground and a tree
+constexpr double kBytesOfSheet = 1.3;   // a contact sheet's cells
+constexpr double kBytesOfPage = 1.5e4;  // tables and settings
 constexpr double kBytesOfFile = 100.0;
 
 double rgba_bytes(const Photos& views, const Coverage& coverage) {
@@ -49,12 +53,15 @@ std::size_t estimated_turntable_bytes(int frames, const glm::ivec2& size_px) {
   return std::size_t(frames * (kBytesOfFile + kBytesOfScene * double(size_px.x) * size_px.y));
 }
 
-std::size_t estimated_report_bytes(std::size_t views) {
-  // A row of three pictures, at most 360 px each; once by itself and once, in base 64, in the page
-  constexpr double kBytesOfRow = 3.0 * 360.0 * 360.0 * 1.0;
-  return std::size_t(double(views) * kBytesOfRow * (1.0 + 4.0 / 3.0)) + 20000;
+std::size_t estimated_report_bytes(const Photos& views, std::size_t scored) {
+  if (views.empty()) return 0;
+  // A row of three pictures a view, shrunk to 360 px; in a file and, in base 64, in the page
+  const Lens& lens = views.front().camera.lens;
+  const double cell_px = std::min(360.0, double(std::max(lens.width_px, lens.height_px)));
+  const double row = 3.0 * cell_px * cell_px * kBytesOfSheet;
+  return std::size_t(double(scored) * row * (1.0 + 4.0 / 3.0) + kBytesOfPage);
 }
 
-std::size_t estimated_camera_bytes(std::size_t cameras) { return 400 + 500 * cameras; }
+std::size_t estimated_camera_bytes(std::size_t cameras) { return 400 + 600 * cameras; }
 
 }  // namespace bosk

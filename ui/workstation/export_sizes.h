@@ -21,7 +21,7 @@ Coverage coverage_of(const Mattes& mattes);
 std::size_t estimated_matte_bytes(const Photos& views, const Coverage& coverage);
 std::size_t estimated_picture_bytes(const Photos& views, const Coverage& coverage);
 std::size_t estimated_turntable_bytes(int frames, const glm::ivec2& size_px);
-std::size_t estimated_report_bytes(std::size_t views);
+std::size_t estimated_report_bytes(const Photos& views, std::size_t scored);
 std::size_t estimated_camera_bytes(std::size_t cameras);
 
 }  // namespace bosk

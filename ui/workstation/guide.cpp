@@ -1,5 +1,7 @@
 #include "ui/workstation/guide.h"
 
+#include <algorithm>
+
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/workspace.h"
 
@@ -16,7 +18,11 @@ StepGuide photos_guide(const Workspace& workspace) {
     return {Tone::note, "needs photos", "about 24 photographs of one tree, from all around it", "",
             "drop photographs or their folder on the window, or type where they are"};
   }
-  const std::string has = count_text(photos, "photo");
+  const auto& rows = workspace.photos.shelf.rows;
+  const auto left_out = std::size_t(std::count_if(
+      rows.begin(), rows.end(), [](const PhotoRow& row) { return row.tone == Tone::bad; }));
+  std::string has = count_text(photos, "photo");
+  if (left_out > 0) has += ", " + std::to_string(left_out) + " of them left out or missing";
   if (photos < 2) return {Tone::note, "needs photos", "two photos or more", has, "add more photos"};
   const std::string advice = photos < 12 ? "more photos give a better tree; " : "";
   return {Tone::good, "ready", "", has, advice + "look at the verdicts, then go on to Calibrate"};

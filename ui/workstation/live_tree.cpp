@@ -104,12 +104,26 @@ void draw_fast(Workspace& workspace, const PictureKey& key) {
   };
   if (state.drawn_scene != state.scene.get()) state.pace.drawn.reset();
   state.drawn_scene = state.scene.get();
+  const bool moving = state.wanted != key;
   const PictureKey now = key_for_now(state, key, workspace.input.at_rest);
+  const PicturePace before = state.pace;
+  // A sharper picture has as many billboards as a first one, and says nothing of what moving ones
+  // may cost
+  const bool sharper = !moving && before.drawn;
+  if (sharper) {
+    state.pace.moving_budget = std::max(before.moving_budget, PicturePace().moving_budget);
+    state.pace.moving_cost = {};
+  }
   const bool drew = draw_when_changed(state.pace, now, state.look, draw);
+  if (sharper) {
+    state.pace.moving_budget = before.moving_budget;
+    state.pace.moving_cost = before.moving_cost;
+  }
   if (!drew && workspace.input.at_rest) refine_at_rest(state.pace, state.look, draw);
-  const bool sharper =
+  const bool could_be_sharper =
       state.share < 1.0 && whole_picture_ms(state.pace, key.size_px) <= kMostAtRest;
-  if (sharper || better_budget(state.pace, state.look)) workspace.next_frame = NextFrame::at_rest;
+  if (could_be_sharper || better_budget(state.pace, state.look))
+    workspace.next_frame = NextFrame::at_rest;
   if (state.look.wind_m > 0.0) workspace.next_frame = NextFrame::at_once;
 }
 

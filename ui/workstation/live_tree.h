@@ -16,11 +16,11 @@ struct Workspace;
 
 // What the panel shows of a package: its tree alone or as a forest.
 struct LiveTreeState {
-  // A picture must not keep the hand waiting: times are shorter than the viewer's.
+  // Half of what the viewer takes: here a picture keeps the rest of the window waiting.
   ViewOptions look = [] {
     ViewOptions options;
     options.frame_ms = 25.0;
-    options.still_ms = 250.0;
+    options.still_ms = 1000.0;
     return options;
   }();
   ScatterOptions forest;

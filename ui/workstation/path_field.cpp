@@ -24,6 +24,7 @@ std::optional<std::filesystem::path> draw_path_field(const PathField& field, std
   if (!(entered || pressed) || !obstacle.empty()) return std::nullopt;
   const std::filesystem::path path = path_of_text(typed);
   typed.clear();
+  if (path.empty()) return std::nullopt;  // blanks alone
   return path;
 }
 

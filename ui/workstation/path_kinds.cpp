@@ -138,9 +138,12 @@ bool has_photo_ending(const fs::path& path) {
 NamedPaths sorted_out(const Paths& named) {
   NamedPaths all;
   for (const fs::path& path : named) {
-    const fs::path place = fs::absolute(path).lexically_normal();
+    std::error_code failure;
+    const fs::path place = fs::absolute(path, failure).lexically_normal();
     const fs::path plain = place.has_filename() ? place : place.parent_path();
-    if (is_folder(plain)) {
+    if (failure || plain.empty()) {
+      all.left_out.push_back("'" + printable(path.string()) + "' is no path");
+    } else if (is_folder(plain)) {
       sort_out_folder(plain, all);
     } else if (is_file(plain)) {
       sort_out_file(plain, all);

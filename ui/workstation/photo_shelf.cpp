@@ -1,79 +1,16 @@
 #include "ui/workstation/photo_shelf.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "ui/workstation/decoder_pool.h"
 #include "ui/workstation/known_cameras.h"
+#include "ui/workstation/photo_look.h"
 #include "ui/workstation/photo_words.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr int kMostAtOnce = 8;  // beyond that the disk is the limit
-
-// What a look finds out.
-struct Look {
-  std::set<fs::path> missing;
-  std::map<fs::path, ShelvedPhoto> read;
-  std::size_t left = 0;  // photos that are still to be read
-};
-
-struct LookRequest {
-  std::vector<fs::path> files;
-  std::map<fs::path, FileStamp> known;
-  std::shared_ptr<DecoderPool> decoders;
-  DecodeLimits limits;
-};
-
-ShelvedPhoto read_one(const LookRequest& request, const fs::path& file, const FileStamp& stamp,
-                      const Progress& progress) {
-  return request.decoders->with_decoder(request.limits, [&](PhotoDecoder& decoder) {
-    ShelvedPhoto photo;
-    photo.stamp = stamp;
-    photo.facts = look_through(file, decoder, progress);
-    if (photo.facts.trouble.empty()) {
-      photo.thumbnail = std::make_shared<const Image<glm::u8vec4>>(
-          shown_photo(photo.facts.decoded, kThumbnailPx));
-    }
-    photo.facts.decoded.pixels = {};
-    return photo;
-  });
-}
-
-// Looks at all files and reads the first few of those that are new or have changed.
-Look looked(const LookRequest& request, Progress& progress) {
-  Look look;
-  std::vector<std::pair<fs::path, FileStamp>> news;
-  for (const fs::path& file : request.files) {
-    const auto stamp = stamp_of(file);
-    const auto known = request.known.find(file);
-    if (!stamp) {
-      look.missing.insert(file);
-    } else if (known == request.known.end() || known->second != *stamp) {
-      news.emplace_back(file, *stamp);
-    }
-  }
-  const int at_once = std::clamp(tbb::this_task_arena::max_concurrency(), 2, kMostAtOnce);
-  const std::size_t now = std::min(news.size(), std::size_t(at_once));
-  const std::size_t all = request.files.size(), done = all - news.size();
-  look.left = news.size() - now;
-  const double share = 1.0 / double(std::max<std::size_t>(1, all));
-  progress.begin("photo " + std::to_string(std::min(done + 1, all)) + " of " + std::to_string(all),
-                 std::max<std::size_t>(1, now), share * double(done), share * double(done + now));
-  std::vector<ShelvedPhoto> read(now);
-  tbb::parallel_for(std::size_t(0), now, [&](std::size_t i) {
-    tbb::this_task_arena::isolate(
-        [&] { read[i] = read_one(request, news[i].first, news[i].second, progress); });
-    progress.advance();
-  });
-  for (std::size_t i = 0; i < now; ++i) look.read[news[i].first] = std::move(read[i]);
-  return look;
-}
 
 void install(PhotoShelf& shelf, Look look) {
   shelf.job = {};
@@ -102,14 +39,21 @@ void follow_limits(PhotoShelf& shelf, const PhotoOptions& options) {
 void start_look(Workspace& workspace) {
   PhotoShelf& shelf = workspace.photos.shelf;
   const Project& project = workspace.project();
-  LookRequest request{{}, {}, shelf.decoders, decode_limits(project.recipe.photo)};
-  for (const fs::path& photo : project.photos) request.files.push_back(project.absolute(photo));
+  LookRequest request;
+  for (const fs::path& photo : project.photos) {
+    request.photos.push_back({photo, project.absolute(photo)});
+  }
+  request.decoders = shelf.decoders;
+  request.options = project.recipe.photo;
+  request.cache_folder = project.cache_folder();
   for (const auto& [file, photo] : shelf.photos) request.known[file] = photo.stamp;
   shelf.look_wanted = false;
   shelf.looked_project = workspace.session->revision() + 1;
   shelf.job.id = workspace.jobs.start(
       "Reading photos",
-      [request = std::move(request)](Progress& progress) { return looked(request, progress); },
+      [request = std::move(request)](Progress& progress) {
+        return look_through(request, progress);
+      },
       [&workspace, folder = project.folder](Look look) {
         const bool same = workspace.session && workspace.project().folder == folder;
         if (same) install(workspace.photos.shelf, std::move(look));

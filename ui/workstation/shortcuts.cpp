@@ -47,6 +47,10 @@ const std::vector<Shortcut>& shortcuts() {
       {"Preview", "wheel", "nearer or farther"},
       {"Preview", "T", "compare: photo or render"},
       {"Preview", "Page Up, Page Down", "compare: another photo"},
+      {"Photos", "Left, Right, Escape", "the photo before, the next, back to all"},
+      {"Photos", "Ctrl+click, Delete", "choose photos, remove those chosen"},
+      {"Cameras", "drag, wheel, middle drag", "turn the view, come nearer, move it"},
+      {"Cameras", "Home", "show all of them"},
       {"Options", "Ctrl+click", "type a number"},
       {"Options", "right click", "back to the default"},
   };
@@ -56,9 +60,10 @@ const std::vector<Shortcut>& shortcuts() {
 void hear_shortcuts(Workspace& workspace) {
   const ImGuiIO& io = ImGui::GetIO();
   if (workspace.input.pressed(kKeyF1)) workspace.shortcuts_shown = !workspace.shortcuts_shown;
-  if (!io.KeyCtrl || io.KeyAlt) return;
+  const WindowInput& input = workspace.input;
+  if (!(io.KeyCtrl || input.ctrl) || io.KeyAlt || input.alt) return;
   // A text field has an undo of its own
-  if (workspace.session && !io.WantTextInput) hear_history(workspace, io.KeyShift);
+  if (workspace.session && !io.WantTextInput) hear_history(workspace, io.KeyShift || input.shift);
   for (const WorkStep step : kSteps) {
     if (workspace.input.pressed('1' + int(step))) workspace.step = step;
   }

@@ -6,7 +6,10 @@ namespace bosk {
 
 std::string title_of_stage(const std::string& stage) { return stage_named(stage).title; }
 
-RunWatchers watchers_of(Workspace&) { return {}; }
+RunWatchers watchers_of(Workspace& workspace) {
+  workspace.volume.watch = std::make_shared<VolumeWatch>();
+  return volume_watchers(workspace.volume.watch, [jobs = &workspace.jobs] { jobs->wake(); });
+}
 
 void apply_what_was_used(Workspace& workspace, const Run& run) {
   for (const std::string option : {"opacity.stop_after", "radiance.stop_after"}) {

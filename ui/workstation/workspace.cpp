@@ -51,7 +51,9 @@ struct Made {
 void install(Workspace& workspace, Made made) {
   merge(workspace.results, made.run.results);
   for (const auto& [stage, key] : made.keys) {
-    if (stage_named(stage).is_held(made.run.results)) workspace.made[stage] = key;
+    if (!stage_named(stage).is_held(made.run.results)) continue;
+    workspace.made[stage] = key;
+    workspace.made_with[stage] = made.keys;
   }
   apply_what_was_used(workspace, made.run);
   workspace.seen_revision.reset();  // what is stored may have changed
@@ -126,6 +128,7 @@ void close_project(Workspace& workspace) {
   workspace.capture.reset();
   workspace.results = {};
   workspace.made.clear();
+  workspace.made_with.clear();
   workspace.wanted.clear();
   workspace.stored.clear();
   workspace.running_stage.clear();
@@ -192,6 +195,13 @@ StageState state_of(const Workspace& workspace, const std::string& stage) {
 
 bool is_shown(const Workspace& workspace, const std::string& stage) {
   return workspace.made.count(stage) > 0;
+}
+
+bool is_made_from(const Workspace& workspace, const std::string& stage, const std::string& input) {
+  const auto with = workspace.made_with.find(stage);
+  const auto made = workspace.made.find(input);
+  if (with == workspace.made_with.end() || made == workspace.made.end()) return false;
+  return with->second.at(input) == made->second;
 }
 
 bool is_running(const Workspace& workspace, const std::string& stage) {

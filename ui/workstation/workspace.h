@@ -34,6 +34,8 @@ struct WindowInput {
   // Keys pressed, also those released again, which Dear ImGui 1.86 forgets in a slow frame; repeats
   // of a key held down count again.
   std::vector<int> keys;
+  // Held with any of them, though perhaps let go by now; Dear ImGui's own say what is held now.
+  bool ctrl = false, shift = false, alt = false;
   std::vector<std::filesystem::path> dropped;  // files and folders
   // Where the mouse was since the last frame, oldest first, in Dear ImGui's coordinates; may be
   // empty. A slow frame otherwise sees only its last place.
@@ -90,8 +92,10 @@ struct Workspace {
   // What stages start from, as the project's files were read last; null with the reason beside it.
   std::shared_ptr<const Capture> capture;
   std::string capture_obstacle;
-  Results results;                            // the newest that is loaded or was made
-  std::map<std::string, ContentHash> made;    // the key of each stage's result in `results`
+  Results results;                          // the newest that is loaded or was made
+  std::map<std::string, ContentHash> made;  // the key of each stage's result in `results`
+  // And the keys of all stages when that result was made.
+  std::map<std::string, std::map<std::string, ContentHash>> made_with;
   std::map<std::string, ContentHash> wanted;  // the keys that the project asks for now
   std::map<std::string, bool> stored;         // whether the cache holds the wanted result
   std::string running_stage;                  // that the running job was asked for
@@ -134,6 +138,8 @@ inline constexpr float kScaleStep = 0.25f;
 
 StageState state_of(const Workspace& workspace, const std::string& stage);
 bool is_shown(const Workspace& workspace, const std::string& stage);  // outdated or current
+// Whether the results shown of a stage and of one before it belong together.
+bool is_made_from(const Workspace& workspace, const std::string& stage, const std::string& input);
 // Whether a job is at work that makes the stage's result.
 bool is_running(const Workspace& workspace, const std::string& stage);
 // Why the stages up to this one can't run now; empty when they can.

@@ -119,6 +119,8 @@ TEST_F(ExportStep, LicenceAndCreditAreEditedAndGoIntoThePackage) {
   EXPECT_EQ(tree.metadata.credit, "Ann");
 }
 
+// Estimates are there to tell a megabyte from ten; a factor of three is what they keep to on trees
+// from these to one of 0.7 megapixel photos.
 TEST_F(ExportStep, MattesLieInThePhotosPixelsAndTheirSizeWasEstimatedWithinAFactorOfThree) {
   const std::size_t estimate = estimated_matte_bytes(*hand.workspace().results.views,
                                                      coverage_of(*hand.workspace().results.mattes));

@@ -17,11 +17,11 @@ class LiveTreeGl : public testing::Test {
  protected:
   void SetUp() override {
     try {
-      screen = std::make_unique<GlScreen>(1000, 700);
+      screen = std::make_unique<GlScreen>(760, 480);
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
-    hand = std::make_unique<Hand>(ImVec2(1000, 700), "", screen->screen());
+    hand = std::make_unique<Hand>(ImVec2(760, 480), "", screen->screen());
     hand->workspace().tree_pictures = gl_tree_pictures("a driver");
     open_project(hand->workspace(), finished_project(scratch.path()).folder);
     hand->settle();

@@ -81,6 +81,12 @@ TEST(SortedOut, TakesEachPhotoOnceAndOneCameraFile) {
   EXPECT_THAT(paths.left_out, ElementsAre(HasSubstr("c.json: one at a time")));
 }
 
+TEST(SortedOut, LeavesOutAnEmptyPath) {
+  EXPECT_THAT(sorted_out({""}).left_out, ElementsAre(HasSubstr("is no path")));
+}
+
+TEST(PathOfText, IsEmptyForBlanks) { EXPECT_EQ(path_of_text("  \t"), ""); }
+
 TEST(PathOfText, TakesAwayWhatPastingAdds) {
   EXPECT_EQ(path_of_text("  '/a/my tree'\n"), "/a/my tree");
   EXPECT_EQ(path_of_text("\"/a/b.jpg\""), "/a/b.jpg");

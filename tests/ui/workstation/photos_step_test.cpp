@@ -73,6 +73,14 @@ TEST_F(PhotosStep, AWrongPathIsToldAndChangesNothing) {
   EXPECT_FALSE(workspace().session->can_undo());
 }
 
+TEST_F(PhotosStep, BlanksAreNoPath) {
+  hand.click("photos/path");
+  hand.type("   ");
+  hand.key(kKeyEnter);
+  EXPECT_EQ(photo_count(), 0u);
+  EXPECT_TRUE(state().said.empty());
+}
+
 TEST_F(PhotosStep, DroppedPhotosAreAddedFromAnyStep) {
   for (const WorkStep step : kSteps) {
     workspace().step = step;
@@ -137,6 +145,25 @@ TEST_F(PhotosStep, UnchangedFilesAreNotReadAgain) {
   ASSERT_TRUE(hand.settle());
   EXPECT_GT(shelved(workspace(), capture.photo("000"))->revision, first);
   EXPECT_EQ(shelved(workspace(), capture.photo("001"))->stamp, *stamp_of(capture.photo("001")));
+}
+
+TEST_F(PhotosStep, AProjectOpenedAgainShowsItsPhotosWithoutReadingThem) {
+  const fs::path broken = write_broken_photo(capture.photos() / "broken.jpg");
+  drop({capture.photos()});
+  const PhotoRow before = row("003"), broken_before = row("broken");
+  const Image<glm::u8vec4> thumbnail = *shelved(workspace(), capture.photo("003"))->thumbnail;
+  // Were they read again, this would show: the same stamps on files that are no photos any more
+  for (const PhotoRow& each : state().shelf.rows) {
+    const FileStamp stamp = *stamp_of(each.file);
+    std::ofstream(each.file) << std::string(stamp.bytes, 'x');
+    fs::last_write_time(each.file, stamp.changed);
+  }
+  close_project(workspace());
+  open_project(workspace(), capture.scratch / "oak");
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(row("003").reason, before.reason);
+  EXPECT_EQ(row("broken").reason, broken_before.reason);
+  EXPECT_EQ(*shelved(workspace(), capture.photo("003"))->thumbnail, thumbnail);
 }
 
 TEST_F(PhotosStep, BrokenFilesAreNotReadAgainByOtherEdits) {

@@ -13,8 +13,11 @@ namespace bosk {
 // A phantom of ten small photos with their cameras, laid out in a folder of its own.
 struct SmallCapture {
   SmallCapture() {
+    PhantomOptions options = tiny_phantom();
+    options.samples = 2;  // coarse: only names, sizes and places count here
+    options.distortion = 0.0;
     Progress quiet;
-    write_phantom(scratch / "phantom", make_phantom(tiny_phantom(), quiet), quiet);
+    write_phantom(scratch / "phantom", make_phantom(options, quiet), quiet);
   }
   std::filesystem::path photos() const { return scratch / "phantom" / "photos"; }
   std::filesystem::path photo(const std::string& name) const { return photos() / (name + ".jpg"); }
