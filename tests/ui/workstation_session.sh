@@ -107,6 +107,10 @@ click preview/make
 wait_until_done
 sleep 3
 picture preview
+click preview/compare
+wait_for "a photo to compare with" sees preview/picture
+sleep 3
+picture compare
 click step/export
 wait_for "the package's place" sees export/package/write
 click export/package/write
