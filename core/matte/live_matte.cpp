@@ -23,13 +23,9 @@ Photo reduced(const Photo& photo, double megapixels) {
   return small;
 }
 
-bool has(const Image<std::uint8_t>& strokes, std::uint8_t kind) {
-  return std::find(strokes.pixels().begin(), strokes.pixels().end(), kind) !=
-         strokes.pixels().end();
-}
-
 std::string what_is_missing(const Image<std::uint8_t>& strokes) {
-  const bool tree = has(strokes, kForegroundStroke), background = has(strokes, kBackgroundStroke);
+  const bool tree = has_kind(strokes, kForegroundStroke),
+             background = has_kind(strokes, kBackgroundStroke);
   if (tree && background) return {};
   if (tree) return "Now draw over the background: the sky, the ground, whatever lies behind.";
   if (background) return "Now draw over the tree: leaves in light and in shade, and the trunk.";

@@ -40,9 +40,9 @@ Options describe(MatteOptions& options);
 
 // Alpha and pure foreground colour of every photo. A photo without strokes of its own is matted
 // with the colours learnt from the scribbled photo that fits it best; a warning says which fit
-// badly. Where the cameras look at the tree from around, what only some photos hold for tree is
-// doubted. Throws Error when no photo has strokes, when the strokes of one are of a single kind or
-// of another size than the photo.
+// badly. Strokes of one kind correct what others teach. Where the cameras look at the tree from
+// around, what only some photos hold for tree is doubted. Throws Error when no photo has strokes of
+// both kinds, or those of one are of another size than the photo.
 Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const MatteOptions& options,
                     Progress& progress);
 

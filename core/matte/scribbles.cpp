@@ -36,12 +36,18 @@ void require_shape(const Image<std::uint8_t>& drawn, const Lens& original,
 
 }  // namespace
 
+bool has_kind(const Image<std::uint8_t>& strokes, std::uint8_t kind) {
+  return std::find(strokes.pixels().begin(), strokes.pixels().end(), kind) !=
+         strokes.pixels().end();
+}
+
+bool has_both_kinds(const Image<std::uint8_t>& strokes) {
+  return has_kind(strokes, kForegroundStroke) && has_kind(strokes, kBackgroundStroke);
+}
+
 void require_both_kinds(const Image<std::uint8_t>& strokes, const std::string& file) {
-  const auto has = [&](std::uint8_t kind) {
-    return std::find(strokes.pixels().begin(), strokes.pixels().end(), kind) !=
-           strokes.pixels().end();
-  };
-  const bool foreground = has(kForegroundStroke), background = has(kBackgroundStroke);
+  const bool foreground = has_kind(strokes, kForegroundStroke);
+  const bool background = has_kind(strokes, kBackgroundStroke);
   if (foreground && background) return;
   if (!foreground && !background) {
     throw Error(

@@ -27,6 +27,9 @@ Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const P
 Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
                                      const std::string& file);
 
+bool has_kind(const Image<std::uint8_t>& strokes, std::uint8_t kind);
+bool has_both_kinds(const Image<std::uint8_t>& strokes);
+
 // Throws Error naming `file` unless there are strokes of both kinds.
 void require_both_kinds(const Image<std::uint8_t>& strokes, const std::string& file);
 

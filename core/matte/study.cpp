@@ -33,8 +33,24 @@ LabPlanes sampled(const Photo& photo, const Study& study, Progress& progress) {
 }
 
 Image<float> place_tilt(const Study& study, const MatteOptions& options) {
-  const float trust = study.strokes.empty() ? kTransferredPlace : 1.0f;
-  return position_tilt(study.lesson.teacher->strokes, trust * float(options.position_weight));
+  const float trust = study.own_teacher ? 1.0f : kTransferredPlace;
+  Image<float> tilt = position_tilt(study.drawn, trust * float(options.position_weight));
+  if (study.own_teacher || study.strokes.empty()) return tilt;
+  return sum_of_grids(tilt, correction_tilt(study.strokes, float(options.position_weight)));
+}
+
+// Strokes of one kind teach their colours beside the teacher's.
+void add_corrections(const LabPlanes& sample, const MatteOptions& options, Study& study) {
+  const Image<float> like = study.drawn.foreground.front().squared_distance;
+  const auto add = [&](std::uint8_t kind, std::vector<StrokeCluster> StrokeModel::*side) {
+    for (StrokeCluster& cluster : learn_clusters(sample, study.strokes, kind, options.clusters)) {
+      cluster.squared_distance = stretched(cluster.squared_distance, like.width(), like.height());
+      (study.drawn.*side).push_back(cluster);
+      (study.model.*side).push_back(std::move(cluster));
+    }
+  };
+  add(kForegroundStroke, &StrokeModel::foreground);
+  add(kBackgroundStroke, &StrokeModel::background);
 }
 
 Image<float> whole_tilt(const Study& study, const MatteOptions& options) {
@@ -44,7 +60,7 @@ Image<float> whole_tilt(const Study& study, const MatteOptions& options) {
 
 void settle_region(const LabPlanes& sample, const MatteOptions& options, Study& study,
                    Progress& progress) {
-  AlphaSettings settings = alpha_settings(!study.strokes.empty(), options);
+  AlphaSettings settings = alpha_settings(study.own_teacher, options);
   settings.purity = kSamplePurity;
   Image<float> tilt = study.place_tilt;
   for (int round = 0; round < kRounds; ++round) {
@@ -78,7 +94,7 @@ Image<std::uint8_t> sure_background(const LabPlanes& sample, const Image<float>&
   };
   const auto like_the_tree = [&](int x, int y) {
     const glm::vec3 lab(sample.l(x, y), sample.a(x, y), sample.b(x, y));
-    const StrokeModel& drawn = study.lesson.teacher->strokes;
+    const StrokeModel& drawn = study.drawn;
     return kMuchNearer * squared_to_nearest(drawn.foreground, lab) <
            squared_to_nearest(drawn.background, lab);
   };
@@ -103,7 +119,7 @@ void learn_own_background(const LabPlanes& sample, const Image<float>& hull_tilt
       std::count(strokes.pixels().begin(), strokes.pixels().end(), kBackgroundStroke);
   if (double(count) < kEnoughBackground * double(strokes.size())) return;
   study.model.background = learn_clusters(sample, strokes, kBackgroundStroke, options.clusters);
-  const StrokeModel& drawn = study.lesson.teacher->strokes;
+  const StrokeModel& drawn = study.drawn;
   std::erase_if(study.model.background, [&](const StrokeCluster& cluster) {
     const glm::vec3& lab = cluster.colour.lab;
     return cluster.colour.share < kRareColour &&
@@ -125,9 +141,13 @@ Study study_photo(const Photo& photo, const Image<std::uint8_t>& strokes,
   study.step = step_for(photo.srgb.size(), sample);
   study.lesson = choose_teacher(photo, teachers, options, progress);
   study.strokes = every_nth(strokes, study.step);
+  study.own_teacher = study.lesson.teacher->photo == &photo;
+  study.drawn = study.lesson.teacher->strokes;
   study.model = study.lesson.teacher->model;
+  const LabPlanes planes = sampled(photo, study, progress);
+  if (!study.own_teacher && !study.strokes.empty()) add_corrections(planes, options, study);
   study.place_tilt = place_tilt(study, options);
-  settle_region(sampled(photo, study, progress), options, study, progress);
+  settle_region(planes, options, study, progress);
   return study;
 }
 
@@ -152,7 +172,7 @@ void study_again(const Photo& photo, const Image<float>& hull_tilt, const MatteO
 Image<float> alpha_of_photo(const Photo& photo, const Study& study, const MatteOptions& options,
                             Progress& progress) {
   const LabPlanes lab = lab_planes(photo.srgb, study.lesson.gain, 1, progress);
-  const AlphaSettings settings = alpha_settings(!study.strokes.empty(), options);
+  const AlphaSettings settings = alpha_settings(study.own_teacher, options);
   return estimate_alpha(lab, study.model, whole_tilt(study, options), settings, progress).alpha;
 }
 

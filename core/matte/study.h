@@ -15,7 +15,9 @@ struct Study {
   Lesson lesson;
   int step = 1;                 // every step-th pixel of every step-th row is in the sample
   Image<std::uint8_t> strokes;  // of the sample; empty for a photo without strokes of its own
-  StrokeModel model;            // the teacher's, later with the photo's own background
+  bool own_teacher = false;     // else strokes of its own are of one kind and correct the teacher's
+  StrokeModel drawn;            // the teacher's strokes, and those that correct them
+  StrokeModel model;            // the same, later with the photo's own background
   Image<float> place_tilt;  // coarse: what is believed of each place before any colour is looked at
   Image<float> mean_alpha;  // coarse: of the surroundings
   Image<float> outline;     // coarse: of the near surroundings

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/matte/blur.h"
+#include "core/matte/distance_map.h"
 #include "core/matte/grid.h"
 #include "core/matte/scribbles.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr float kStrokeWeight = 4.0f;   // of a stroke's pixel against an estimated one
 constexpr float kMostCertain = 0.005f;  // mean alpha is never believed to be nearer to 0 or 1
 constexpr float kHardFrom = 0.4f, kHardTo = 0.8f;
+constexpr float kCorrectionReach = 0.05f;  // diagonals
 constexpr float kNearDistance =
     0.02f;  // diagonals; closer than this to a stroke makes no difference
 
@@ -75,6 +77,28 @@ Image<float> position_tilt(const StrokeModel& model, float weight) {
   for (std::size_t i = 0; i < tilt.size(); ++i) {
     const float front = nearest(model.foreground, i), back = nearest(model.background, i);
     tilt.data()[i] = weight * (back - front) / (back + front + kNearDistance);
+  }
+  return tilt;
+}
+
+Image<float> correction_tilt(const Image<std::uint8_t>& strokes, float weight) {
+  const glm::ivec2 size = grid_size(strokes.width(), strokes.height());
+  const float diagonal = std::hypot(float(size.x), float(size.y));
+  Image<float> tilt(size.x, size.y);
+  for (const std::uint8_t kind : {kForegroundStroke, kBackgroundStroke}) {
+    Image<std::uint8_t> marked(size.x, size.y);
+    for (int y = 0; y < strokes.height(); ++y) {
+      for (int x = 0; x < strokes.width(); ++x) {
+        if (strokes(x, y) != kind) continue;
+        marked(x * size.x / strokes.width(), y * size.y / strokes.height()) = 1;
+      }
+    }
+    const Image<float> squared = squared_distance_to(marked);
+    const float most = kind == kForegroundStroke ? weight : -weight;
+    for (std::size_t i = 0; i < tilt.size(); ++i) {
+      const float distance = std::sqrt(squared.data()[i]) / diagonal;
+      tilt.data()[i] += most * kCorrectionReach / (kCorrectionReach + distance);
+    }
   }
   return tilt;
 }

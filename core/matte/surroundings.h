@@ -23,6 +23,10 @@ Image<float> region_tilt(const Image<float>& mean_alpha, float weight);
 // `weight`.
 Image<float> position_tilt(const StrokeModel& model, float weight);
 
+// The same from strokes of one kind over a photo that another one teaches: up to `weight` on them,
+// half of it a twentieth of the diagonal away. `strokes` may be of any size.
+Image<float> correction_tilt(const Image<std::uint8_t>& strokes, float weight);
+
 // The grid stretched to another number of cells.
 Image<float> stretched(const Image<float>& grid, int width, int height);
 

@@ -55,6 +55,7 @@ AlphaSettings alpha_settings(bool own_strokes, const MatteOptions& options) {
 std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles& scribbles,
                                           const MatteOptions& options, Progress& progress) {
   std::vector<Teacher> teachers;
+  const Photo* half_drawn = nullptr;
   for (const Photo& photo : photos) {
     const auto found = scribbles.find(photo.name);
     if (found == scribbles.end()) continue;
@@ -63,11 +64,17 @@ std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles&
       throw Error("strokes for " + photo.name +
                   ": their size is not the photo's; draw them over the photo");
     }
-    require_both_kinds(strokes, "strokes for " + photo.name);
+    if (!has_both_kinds(strokes)) {
+      half_drawn = &photo;
+      continue;
+    }
     const LabPlanes lab = lab_planes(photo.srgb, glm::vec3(1.0f), 1, progress);
     const StrokeModel model = learn_strokes(lab, strokes, options.clusters);
     teachers.push_back({&photo, model, model, 0.0});
     teachers.back().likelihood = own_likelihood(teachers.back(), options, progress);
+  }
+  if (teachers.empty() && half_drawn) {
+    require_both_kinds(scribbles.at(half_drawn->name), "strokes for " + half_drawn->name);
   }
   return teachers;
 }

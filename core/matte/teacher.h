@@ -16,8 +16,8 @@ struct Teacher {
   double likelihood = 0.0;  // mean over its own pixels, natural logarithm
 };
 
-// In the order of the photos. Throws Error for strokes of one kind or of another size than the
-// photo.
+// In the order of the photos; those with strokes of one kind teach nothing. Throws Error for
+// strokes of another size than the photo, and where all strokes are of one kind.
 std::vector<Teacher> learn_from_scribbles(const Photos& photos, const Scribbles& scribbles,
                                           const MatteOptions& options, Progress& progress);
 

@@ -90,12 +90,6 @@ Image<std::uint8_t> grey_of(const DecodedPhoto& drawn) {
   return grey;
 }
 
-Image<std::uint8_t> drawing_of(const SourceFile& file, const Photo& photo,
-                               const DecodeLimits& limits, const Progress& progress) {
-  const DecodedPhoto drawn = decode_photo(file.path, limits, progress);
-  return drawing_in_photo(grey_of(drawn), photo, printable(file.path.string()));
-}
-
 bool is_unknown(const Image<std::uint8_t>& scribbles) {
   const auto& pixels = scribbles.pixels();
   return std::all_of(pixels.begin(), pixels.end(),
@@ -118,20 +112,37 @@ Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
   return mattes;
 }
 
+Image<std::uint8_t> import_drawing(const SourceFile& file, const Photo& photo,
+                                   const DecodeLimits& limits, const Progress& progress) {
+  const DecodedPhoto drawn = decode_photo(file.path, limits, progress);
+  return drawing_in_photo(grey_of(drawn), photo, printable(file.path.string()));
+}
+
 Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
                            const Photos& photos, const DecodeLimits& limits, Progress& progress) {
   Scribbles scribbles;
+  std::string half_drawn, half_drawn_in;  // a photo, and where its strokes are
   for (const Photo& photo : photos) {
     progress.check();
     const SourceFile* file = file_named(files, photo.name);
     const auto drawn = strokes.find(photo.name);
     Image<std::uint8_t> known;
-    if (file != nullptr) known = drawing_of(*file, photo, limits, progress);
+    if (file != nullptr) known = import_drawing(*file, photo, limits, progress);
     if (drawn != strokes.end()) paint_strokes(drawn->second, photo, known);
     if (known.empty() || (file == nullptr && is_unknown(known))) continue;
-    require_both_kinds(known, drawn == strokes.end() ? printable(file->path.string())
-                                                     : "photo " + printable(photo.name));
+    if (!has_both_kinds(known) && half_drawn.empty()) {
+      half_drawn = photo.name;
+      half_drawn_in = drawn == strokes.end() ? printable(file->path.string())
+                                             : "photo " + printable(photo.name);
+    }
     scribbles[photo.name] = std::move(known);
+  }
+  // Strokes of one kind correct what those of another photo teach
+  const bool any_whole = std::any_of(scribbles.begin(), scribbles.end(), [](const auto& named) {
+    return has_both_kinds(named.second);
+  });
+  if (!any_whole && !half_drawn.empty()) {
+    require_both_kinds(scribbles.at(half_drawn), half_drawn_in);
   }
   return scribbles;
 }

@@ -17,9 +17,14 @@ namespace bosk {
 Mattes import_mattes(const std::vector<SourceFile>& files, const Photos& photos,
                      const DecodeLimits& limits, Progress& progress);
 
+// What a file of strokes says, in the photo's working pixels. Throws Error naming the file.
+Image<std::uint8_t> import_drawing(const SourceFile& file, const Photo& photo,
+                                   const DecodeLimits& limits, const Progress& progress);
+
 // Of those photos that have some, in the photos' working pixels: what the files say, with the
 // strokes painted over. A photo of whose strokes nothing is left is not in it. Throws Error naming
-// the file or photo that can't be read, doesn't fit or lacks one kind of stroke.
+// the file or photo that can't be read or doesn't fit, or one that lacks a kind of stroke where no
+// photo has both.
 Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
                            const Photos& photos, const DecodeLimits& limits, Progress& progress);
 

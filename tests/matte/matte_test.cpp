@@ -200,6 +200,39 @@ TEST(MattePhotos, RefuseMissingOrOneSidedStrokes) {
   EXPECT_THAT(complaint_about({without_pixels}, {{"tree", scene.strokes}}), HasSubstr("no pixels"));
 }
 
+// A hedge of the tree's colours in the sky's lower corner.
+LeafyScene with_hedge(LeafyScene scene) {
+  for (int y = 80; y < 110; ++y) {
+    for (int x = 4; x < 34; ++x)
+      scene.photo.srgb(x, y) = scene.photo.srgb(75 + x % 15, 50 + y % 15);
+  }
+  return scene;
+}
+
+double mean_alpha_of_hedge(const Matte& matte) {
+  double sum = 0.0;
+  for (int y = 80; y < 110; ++y) {
+    for (int x = 4; x < 34; ++x) sum += matte.rgba(x, y).a;
+  }
+  return sum / (30.0 * 30.0);
+}
+
+TEST(MattePhotos, TakeStrokesOfOneKindAsCorrections) {
+  const LeafyScene first = named(leafy_scene(), "a"),
+                   second = with_hedge(named(leafy_scene({.leaf_seed = 2}), "b"));
+  const Photos photos{first.photo, second.photo};
+  Image<std::uint8_t> black(180, 140, kNoStroke);
+  for (int y = 93; y < 98; ++y) {
+    for (int x = 8; x < 30; ++x) black(x, y) = kBackgroundStroke;
+  }
+  const Mattes before = matted(photos, {{"a", first.strokes}}).mattes;
+  const Mattes after = matted(photos, {{"a", first.strokes}, {"b", black}}).mattes;
+  EXPECT_GT(mean_alpha_of_hedge(before[1]), 0.5);
+  EXPECT_LT(mean_alpha_of_hedge(after[1]), 0.1);
+  EXPECT_LT(mean_absolute_error(alpha_of(after[1].rgba), second.alpha), 1.5 * kFairError);
+  EXPECT_EQ(after[0].rgba, before[0].rgba);  // what the other teaches is as it was
+}
+
 TEST(MattePhotos, SameWithOneThreadAndMany) {
   const LeafyScene first = named(leafy_scene(), "a"),
                    second = named(leafy_scene({.leaf_seed = 2}), "b");

@@ -2,21 +2,30 @@
 # A person's way through the workstation, in the real window with mouse and keyboard: from photos to
 # a package that equals, byte for byte, the one that the command line makes of the same project.
 #
-#   workstation_session.sh BOSK [PICTURES]
+#   workstation_session.sh BOSK [PICTURES CAPTURE]
 #
-# PICTURES: a folder for a picture of every step (needs ImageMagick's `import`). Status 77 and a
-# reason where Xvfb or xdotool is missing, or the display has no OpenGL 4.5.
+# PICTURES: a folder for a picture of every step (needs ImageMagick's `import`); CAPTURE: what
+# `bosk phantom CAPTURE --width_px 720 --height_px 960` made, else a small one is made. The README's
+# pictures are these. Status 77 and a reason where Xvfb or xdotool is missing, or the display has no
+# OpenGL 4.5.
 set -euo pipefail
 bosk=$(realpath "$1")
 pictures=${2:+$(realpath "$2")}
+capture=${3:+$(realpath "$3")}
 here=$(dirname "$(realpath "$0")")
 source "$here/display.sh"
 source "$here/landmarks.sh"
 export XDG_CONFIG_HOME=$folder/config
 PATIENCE=300
 
-"$bosk" phantom capture --quiet --preset sparse --photos 8 --width_px "${WIDTH_PX:-180}" \
-  --height_px "${HEIGHT_PX:-240}" >/dev/null 2>&1 || fail "no sample capture"
+if [ -n "$capture" ]; then
+  ln -s "$capture" capture
+  smaller=0
+else
+  "$bosk" phantom capture --quiet --photos 8 --width_px 180 --height_px 240 >/dev/null 2>&1 ||
+    fail "no sample capture"
+  smaller=6
+fi
 
 open_display 1400x900
 open_window "$bosk" open --landmarks marks
@@ -33,7 +42,8 @@ click photos/path
 write "$folder/capture/photos"
 click photos/add
 wait_for "thumbnails" sees photos/tile/000
-wait_for "all of them" sees photos/tile/007
+wait_for "the last of a screenful" sees photos/tile/007
+sleep $((20 - 2 * smaller))  # until they are read
 picture photos
 
 # Cameras
@@ -42,23 +52,35 @@ click calibrate/path
 write "$folder/capture/transforms.json"
 click calibrate/import
 wait_for "cameras" sees calibrate/row/000
+sleep 3
 picture calibrate
 
 # Strokes over the tree and over its background
 click step/matte
 wait_for "a photo to paint on" sees matte/canvas
-sleep 1
-stroke 0.42 0.35 0.58 0.45
-stroke 0.50 0.55 0.50 0.80
+wait_for "the photo itself" sees matte/photo/000
+sleep 2
+for ((i = 0; i < smaller; ++i)); do press bracketleft; done
+stroke 0.35 0.50 0.45 0.45
+stroke 0.55 0.45 0.65 0.55
+stroke 0.50 0.29 0.50 0.40
+stroke 0.20 0.55 0.26 0.55
+stroke 0.496 0.70 0.496 0.75
 press x
-stroke 0.04 0.05 0.96 0.05
-stroke 0.04 0.10 0.04 0.95
-stroke 0.96 0.10 0.96 0.95
-wait_for "five strokes in the project" test "$(strokes_in oak)" -eq 5
+stroke 0.05 0.08 0.95 0.10
+stroke 0.05 0.30 0.22 0.24
+stroke 0.95 0.30 0.97 0.60
+stroke 0.05 0.94 0.95 0.92
+stroke 0.08 0.66 0.06 0.88
+stroke 0.18 0.74 0.43 0.76
+stroke 0.56 0.76 0.85 0.72
+wait_for "twelve strokes in the project" has_strokes oak 12
 press ctrl+z
-wait_for "one less" has_strokes oak 4
+wait_for "one less" has_strokes oak 11
 press ctrl+shift+z
-wait_for "it again" has_strokes oak 5
+wait_for "it again" has_strokes oak 12
+press f
+picture strokes
 click matte/run
 wait_until_done
 picture matte
@@ -74,6 +96,8 @@ wait_until_done
 picture textures
 click step/codebook
 click codebook/run
+wait_until_done
+click codebook/curve
 wait_until_done
 picture codebook
 
@@ -98,7 +122,7 @@ wait "$viewer" || status=$?
 # The same project without what the workstation has made
 mkdir -p again/oak
 cp oak/project.json again/oak/
-cp -r capture again/
+cp -rL capture again/
 "$bosk" run again/oak --quiet -o command-line.bosk >/dev/null 2>log || fail "the command line could not run it"
 cmp oak/oak.bosk command-line.bosk || fail "window and command line made different packages"
 echo "from photos to package in the window, and the same bytes from the command line"

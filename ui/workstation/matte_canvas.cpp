@@ -35,8 +35,9 @@ Opened opened(const Photo& photo, const std::vector<SourceFile>& drawings,
   Opened result;
   result.ready = std::make_shared<LivePhoto>(ready_for_live(photo, progress));
   try {
-    Scribbles scribbles = import_scribbles(drawings, {}, {photo}, limits, progress);
-    if (!scribbles.empty()) result.drawn = std::move(scribbles.begin()->second);
+    if (!drawings.empty()) {
+      result.drawn = import_drawing(drawings.front(), photo, limits, progress);
+    }
   } catch (const Error& error) {
     result.trouble = error.what();
   }

@@ -83,8 +83,8 @@ void draw_row(Workspace& workspace, const std::string& name, double median) {
   mark("matte/photo/" + name);
   const ImVec2 next = ImGui::GetCursorScreenPos();
   if (const SmallPhoto* small = small_photo(step.review, name)) {
-    draw_small(small_texture(workspace, *small, MatteView::photo),
-               orientation_of(workspace, name), at, {side, side});
+    draw_small(small_texture(workspace, *small, MatteView::photo), orientation_of(workspace, name),
+               at, {side, side});
   }
   ImGui::SetCursorScreenPos({at.x + side + 0.5f * ImGui::GetFontSize(), at.y});
   ImGui::BeginGroup();

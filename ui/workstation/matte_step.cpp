@@ -55,10 +55,11 @@ void draw_caption(const Workspace& workspace) {
   if (shown == ShownMatte::live) return badge(Tone::busy, "live matte, reduced");
   if (shown == ShownMatte::outdated) badge(Tone::note, "full matte of an earlier state");
   if (shown == ShownMatte::none) badge(Tone::muted, "no matte yet");
-  if (!canvas.live.what_is_missing.empty() && !canvas.painted.empty()) {
-    ImGui::SameLine();
-    ImGui::TextUnformatted(canvas.live.what_is_missing.c_str());
-  }
+  if (canvas.live.what_is_missing.empty() || canvas.painted.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextUnformatted(shown == ShownMatte::outdated
+                             ? "Matte all photos to see what the strokes correct."
+                             : canvas.live.what_is_missing.c_str());
 }
 
 void draw_upright(const Texture& texture, int orientation, const ImagePlace& place) {

@@ -3,13 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "core/image/orientation.h"
-#include "core/matte/scribbles.h"
-#include "tests/ui/workstation/matte_project.h"
+#include "tests/ui/workstation/matte_hand.h"
 #include "ui/widgets/keys.h"
-#include "ui/workstation/matte_paint.h"
 #include "ui/workstation/shortcuts.h"
 
 namespace bosk {
@@ -17,74 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class MatteStep : public testing::Test {
- protected:
-  MatteStep() {
-    copy_matte_project(scratch.path());
-    open_project(workspace, scratch.path() / "oak");
-    workspace.step = WorkStep::matte;
-    EXPECT_TRUE(hand.settle());
-    EXPECT_TRUE(hand.wait_for([&] { return photo_on_canvas(workspace) != nullptr; }, 60.0));
-    hand.settle();
-  }
-
-  void open(const std::string& photo) {
-    hand.click("matte/photo/" + photo);
-    hand.settle();
-  }
-
-  // Where the upright picture lies on the screen now.
-  ImagePlace place() {
-    const Landmark canvas = hand.at("matte/canvas");
-    const Photo& photo = *photo_on_canvas(workspace);
-    const glm::ivec2 size =
-        upright_size({photo.srgb.width(), photo.srgb.height()}, orientation_on_canvas(workspace));
-    return place_of(workspace.matte.image_view, size, canvas.least, canvas.most);
-  }
-  ImVec2 on_screen(const glm::dvec2& upright_px) {
-    const glm::dvec2 at = place().screen_from_picture(upright_px);
-    return {float(at.x), float(at.y)};
-  }
-  void paint(const glm::dvec2& from, const glm::dvec2& to, int steps = 6) {
-    hand.drag(on_screen(from), on_screen(to), steps);
-  }
-  // Over the crown and the sky of the tiny tree.
-  void paint_both() {
-    paint({44, 60}, {52, 60});
-    hand.key('X');
-    paint({10, 10}, {80, 10});
-    hand.key('X');
-  }
-
-  const std::vector<Stroke>& strokes_of(const std::string& photo) {
-    static const std::vector<Stroke> none;
-    const auto found = workspace.project().strokes.find(photo);
-    return found == workspace.project().strokes.end() ? none : found->second;
-  }
-  const Stroke& last_stroke() { return strokes_of(workspace.matte.photo).back(); }
-
-  // To one pixel of the photo as taken: the mouse stands on whole points of the screen.
-  void expect_at(const glm::dvec2& taken_px, const glm::dvec2& upright_px) {
-    const Photo& photo = *photo_on_canvas(workspace);
-    const auto wanted = taken_from_upright(photo, orientation_on_canvas(workspace), upright_px);
-    ASSERT_TRUE(wanted);
-    EXPECT_LT(glm::distance(taken_px, *wanted), 1.0);
-  }
-  void expect_canvas_is_the_projects() {
-    const MatteCanvas& canvas = workspace.matte.canvas;
-    Image<std::uint8_t> wanted(canvas.strokes.width(), canvas.strokes.height(), kNoStroke);
-    paint_strokes(strokes_of(canvas.photo), *photo_on_canvas(workspace), wanted);
-    EXPECT_EQ(canvas.strokes, wanted);
-  }
-  const Image<glm::u8vec4>& seen() {
-    const Texture texture = workspace.pictures.newest("matte/" + workspace.matte.photo);
-    return hand.textures().pictures.at(texture.id);
-  }
-
-  const ScratchFolder scratch;
-  Hand hand;
-  Workspace& workspace = hand.workspace();
-};
+class MatteStep : public MatteHand {};
 
 TEST_F(MatteStep, ReadsThePhotosByItself) {
   EXPECT_EQ(state_of(workspace, "photo"), StageState::current);
@@ -342,124 +270,6 @@ TEST_F(MatteStep, ATurnedPhotoIsShownUprightAndPaintedWhereTheMouseWas) {
   // bends the corners by less than 2 px
   EXPECT_LT(glm::distance(points.front(), glm::dvec2(20, photo.srgb.height() - 1 - 100)), 3.0);
   EXPECT_EQ(workspace.matte.canvas.strokes(20, photo.srgb.height() - 1 - 100), kForegroundStroke);
-}
-
-TEST_F(MatteStep, ALiveMatteFollowsTheStrokes) {
-  paint({44, 60}, {52, 60});
-  hand.settle();
-  const MatteCanvas& canvas = workspace.matte.canvas;
-  EXPECT_TRUE(canvas.live.matte.rgba.empty());
-  EXPECT_THAT(canvas.live.what_is_missing, HasSubstr("background"));
-  hand.key('X');
-  paint({10, 10}, {80, 10});
-  hand.settle();
-  ASSERT_FALSE(canvas.live.matte.rgba.empty());
-  const Image<glm::vec4>* matte = nullptr;
-  EXPECT_EQ(shown_matte(workspace, matte), ShownMatte::live);
-  EXPECT_GT(canvas.live.matte.rgba(48, 60).a, 0.9f);
-  EXPECT_LT(canvas.live.matte.rgba(10, 10).a, 0.1f);
-  hand.key('Z', true);
-  hand.settle();
-  EXPECT_TRUE(canvas.live.matte.rgba.empty());
-}
-
-TEST_F(MatteStep, ALiveMatteFollowsTheOptions) {
-  paint_both();
-  hand.settle();
-  const auto before = workspace.matte.canvas.live_revision;
-  edit(workspace, option_edit(workspace.project(), "matte.opaque_above", "0.7"));
-  hand.settle();
-  EXPECT_GT(workspace.matte.canvas.live_revision, before);
-}
-
-TEST_F(MatteStep, MatteAllPhotosShowsTheFullMatte) {
-  EXPECT_FALSE(hand.is_enabled("matte/run"));  // no strokes
-  paint_both();
-  hand.settle();
-  hand.click("matte/run");
-  ASSERT_TRUE(hand.settle());
-  EXPECT_EQ(state_of(workspace, "matte"), StageState::current);
-  const Image<glm::vec4>* matte = nullptr;
-  EXPECT_EQ(shown_matte(workspace, matte), ShownMatte::full);
-  EXPECT_FALSE(hand.is_enabled("matte/run"));  // nothing changed since
-  paint({30, 20}, {60, 20});
-  hand.settle();
-  EXPECT_EQ(shown_matte(workspace, matte), ShownMatte::live);
-  open("003");
-  EXPECT_EQ(shown_matte(workspace, matte), ShownMatte::outdated);
-}
-
-TEST_F(MatteStep, ApplyingToTheOthersLeadsToAllPhotosMostInDoubtFirst) {
-  paint_both();
-  hand.settle();
-  hand.click("matte/apply");
-  ASSERT_TRUE(hand.settle());
-  ASSERT_TRUE(workspace.matte.sheet);
-  const MatteReview& review = workspace.matte.review;
-  ASSERT_EQ(review.doubts.size(), 6u);
-  const auto names = photos_in_order(review, true);
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    EXPECT_GE(review.doubts.at(names[i - 1]).doubt, review.doubts.at(names[i]).doubt);
-  }
-  hand.click("matte/sheet/" + names[1]);
-  hand.settle();
-  EXPECT_FALSE(workspace.matte.sheet);
-  EXPECT_EQ(workspace.matte.canvas.photo, names[1]);
-}
-
-TEST_F(MatteStep, SShowsAllPhotosInThePresentView) {
-  hand.key('S');
-  hand.frame(2);
-  for (const char* name : {"000", "001", "002"}) {
-    EXPECT_TRUE(hand.sees(std::string("matte/sheet/") + name)) << name;
-  }
-  hand.key('S');
-  hand.frame();
-  EXPECT_TRUE(hand.sees("matte/canvas"));
-}
-
-TEST_F(MatteStep, KeepingUpMattesAllPhotosAfterAStroke) {
-  hand.click("matte/keep_up");
-  paint_both();
-  EXPECT_TRUE(
-      hand.wait_for([&] { return state_of(workspace, "matte") == StageState::current; }, 60.0));
-}
-
-TEST_F(MatteStep, StrokesOfOneKindStopNothing) {
-  hand.click("matte/keep_up");
-  paint({44, 60}, {52, 60});
-  hand.settle();
-  EXPECT_NE(state_of(workspace, "matte"), StageState::current);
-  EXPECT_TRUE(workspace.jobs.records().empty() ||
-              workspace.jobs.records().back().end != JobRecord::End::failed);
-}
-
-TEST_F(MatteStep, StrokesOfAnotherPhotoStayThere) {
-  paint({44, 60}, {52, 60});
-  open("002");
-  EXPECT_EQ(std::count(workspace.matte.canvas.strokes.pixels().begin(),
-                       workspace.matte.canvas.strokes.pixels().end(), kForegroundStroke),
-            0);
-  paint({10, 10}, {80, 10});
-  EXPECT_EQ(strokes_of("000").size(), 1u);
-  EXPECT_EQ(strokes_of("002").size(), 1u);
-  open("000");
-  expect_canvas_is_the_projects();
-}
-
-TEST(MatteStepWithFinishedMattes, SaysThatStrokesAreNotUsed) {
-  const ScratchFolder scratch;
-  copy_matte_project(scratch.path());
-  Hand hand;
-  open_project(hand.workspace(), scratch.path() / "oak");
-  edit(hand.workspace(), files_edit(hand.workspace().project(), FileKind::mattes,
-                                    scratch.path() / "capture" / "mattes"));
-  hand.workspace().step = WorkStep::matte;
-  hand.settle();
-  EXPECT_THAT(strokes_obstacle(hand.workspace()), HasSubstr("finished mattes"));
-  const Landmark canvas = hand.at("matte/canvas");
-  hand.drag(canvas.middle(), {canvas.middle().x + 50.0f, canvas.middle().y});
-  EXPECT_TRUE(hand.workspace().project().strokes.empty());
 }
 
 }  // namespace
