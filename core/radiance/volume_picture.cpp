@@ -1,7 +1,5 @@
 #include "core/radiance/volume_picture.h"
 
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -85,7 +83,7 @@ Image<glm::u8vec4> slice_picture(const VolumeSnapshot& volume, int axis, double 
   const int across = axis == 0 ? 1 : 0, up = axis == 2 ? 1 : 2;
   const double edge = longest_edge(volume.bounds), pixel_m = edge / size_px;
   Image<glm::u8vec4> picture(size_px, size_px);
-  tbb::parallel_for(0, size_px, [&](int row) {
+  for (int row = 0; row < size_px; ++row) {
     glm::dvec3 point = volume.bounds.centre();
     point[axis] = volume.bounds.lower[axis] + position * volume.bounds.size()[axis];
     point[up] += 0.5 * edge - (row + 0.5) * pixel_m;
@@ -95,7 +93,7 @@ Image<glm::u8vec4> slice_picture(const VolumeSnapshot& volume, int axis, double 
       const glm::vec3 at = cells_from_world(point, {volume.origin, volume.size_m}, volume.level);
       picture(column, row) = slice_pixel(sample_at(volume, at), look);
     }
-  });
+  }
   return picture;
 }
 
