@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/workstation/tree_pictures.h"
+#include "ui/workstation/preview/tree_pictures.h"
 
 namespace bosk {
 

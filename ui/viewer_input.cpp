@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ui/workstation/camera_mouse.h"
+#include "ui/workstation/calibrate/camera_mouse.h"
 
 namespace bosk {
 namespace {
@@ -61,8 +61,8 @@ void apply_switches(ViewerState& state, const Presses& pressed) {
 
 void apply_mouse(ViewerState& state, const ForestScene& scene, const glm::ivec2& size_px) {
   state.camera = zoomed_by_wheel(state.camera, scene.terrain);
-  state.camera = moved_by_drag(state.camera, scene.terrain, double(size_px.y),
-                               view_angle(state.options));
+  state.camera =
+      moved_by_drag(state.camera, scene.terrain, double(size_px.y), view_angle(state.options));
 }
 
 }  // namespace

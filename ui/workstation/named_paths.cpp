@@ -1,9 +1,9 @@
 #include "ui/workstation/named_paths.h"
 
 #include "core/base/system_error.h"
-#include "ui/workstation/camera_import.h"
+#include "ui/workstation/calibrate/camera_import.h"
 #include "ui/workstation/path_kinds.h"
-#include "ui/workstation/photo_edits.h"
+#include "ui/workstation/photos/photo_edits.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {

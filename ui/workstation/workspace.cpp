@@ -6,7 +6,7 @@
 #include "core/project/cache.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/capture_files.h"
-#include "ui/workstation/matte_paint.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/stage_run.h"
 
 namespace bosk {
@@ -173,8 +173,7 @@ void refresh(Workspace& workspace) {
 }
 
 float scale_of(const Workspace& workspace) {
-  return workspace.settings.scale > 0.0 ? float(workspace.settings.scale)
-                                        : workspace.screen_scale;
+  return workspace.settings.scale > 0.0 ? float(workspace.settings.scale) : workspace.screen_scale;
 }
 
 void ask_for_scale(Workspace& workspace, float scale) {

@@ -6,7 +6,7 @@
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/guide.h"
-#include "ui/workstation/matte_paint.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/named_paths.h"
 #include "ui/workstation/workspace.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/image/orientation.h"
 #include "core/matte/scribbles.h"
-#include "tests/ui/workstation/matte_project.h"
-#include "ui/workstation/matte_paint.h"
+#include "tests/ui/workstation/matte/matte_project.h"
+#include "ui/workstation/matte/matte_paint.h"
 
 namespace bosk {
 
