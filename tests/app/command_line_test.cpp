@@ -60,7 +60,6 @@ TEST(CommandLine, HelpOfAStageLeavesLaterStagesOut) {
 TEST(CommandLine, BadUsageIsStatus2AndSaysWhatIsWrong) {
   const ScratchFolder folder;
   const std::vector<std::vector<std::string>> wrong = {
-      {},
       {"nothing"},
       {"run"},
       {"run", "a", "b"},

@@ -198,20 +198,8 @@ void run(const std::vector<std::string>& folders, const std::string& cameras,
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> folders;
-  std::string cameras;
-  MatteOptions options;
   try {
-    for (int i = 1; i < argc; ++i) {
-      const std::string argument = argv[i];
-      if (argument.starts_with("--cameras=")) {
-        cameras = argument.substr(10);
-      } else if (argument.starts_with("--")) {
-        apply_option(options, argument);
-      } else {
-        folders.push_back(argument);
-      }
-    }
+    const auto [folders, cameras, options] = matte_arguments(argc, argv);
     if (folders.size() != 3) {
       throw Error(
           "usage: live_matte_benchmark PHOTOS STROKES TRUTH [--cameras=FILE] "

@@ -101,6 +101,8 @@ Scribbles read_scribbles(const fs::path& folder) {
   return scribbles;
 }
 
+namespace {
+
 void apply_option(MatteOptions& options, const std::string& argument) {
   const auto equals = argument.find('=');
   for (const Option& option : describe(options)) {
@@ -109,6 +111,23 @@ void apply_option(MatteOptions& options, const std::string& argument) {
     }
   }
   throw Error(argument + ": no such option");
+}
+
+}  // namespace
+
+MatteArguments matte_arguments(int argc, char** argv) {
+  MatteArguments arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.starts_with("--cameras=")) {
+      arguments.cameras = argument.substr(10);
+    } else if (argument.starts_with("--")) {
+      apply_option(arguments.options, argument);
+    } else {
+      arguments.folders.push_back(argument);
+    }
+  }
+  return arguments;
 }
 
 }  // namespace bosk

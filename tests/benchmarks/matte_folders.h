@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/matte/matte.h"
 
@@ -19,7 +20,12 @@ std::map<std::string, std::filesystem::path> files_by_name(const std::filesystem
 Photos read_photos(const std::filesystem::path& folder, const std::string& cameras_path);
 Scribbles read_scribbles(const std::filesystem::path& folder);
 
-// --matte.name=value; Error for a name that does not exist.
-void apply_option(MatteOptions& options, const std::string& argument);
+// FOLDER... [--cameras=FILE] [--matte.name=value ...]. Throws Error for an option that there isn't.
+struct MatteArguments {
+  std::vector<std::string> folders;
+  std::string cameras;
+  MatteOptions options;
+};
+MatteArguments matte_arguments(int argc, char** argv);
 
 }  // namespace bosk

@@ -21,47 +21,19 @@
 #include "core/photo/child_mode.h"
 #include "core/project/new_project.h"
 #include "tests/base/scratch_folder.h"
+#include "tests/benchmarks/frame_times.h"
 #include "tests/ui/workstation/hand.h"
 #include "ui/widgets/keys.h"
 
 namespace bosk {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+void print(const std::string& what, const FrameTimes& times) {
+  const auto& [wall, cpu] = times;
+  std::printf("%-44s %6zu %8.1f %8.1f %8.1f %10.1f %8.1f\n", what.c_str(), wall.size(),
+              quantile(wall, 0.5), quantile(wall, 0.99), quantile(wall, 1.0), quantile(cpu, 0.5),
+              quantile(cpu, 0.99));
 }
-
-// Of the interface's own thread.
-double thread_cpu_ms() {
-  timespec spent{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return 1e3 * double(spent.tv_sec) + 1e-6 * double(spent.tv_nsec);
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
-}
-
-struct Times {
-  std::vector<double> wall, cpu;
-
-  void add(const std::function<void()>& work) {
-    const auto start = Clock::now();
-    const double before = thread_cpu_ms();
-    work();
-    cpu.push_back(thread_cpu_ms() - before);
-    wall.push_back(ms_since(start));
-  }
-  void print(const std::string& what) const {
-    std::printf("%-44s %6zu %8.1f %8.1f %8.1f %10.1f %8.1f\n", what.c_str(), wall.size(),
-                quantile(wall, 0.5), quantile(wall, 0.99), quantile(wall, 1.0), quantile(cpu, 0.5),
-                quantile(cpu, 0.99));
-  }
-};
 
 std::filesystem::path sample_project(const std::filesystem::path& folder, int width_px,
                                      int height_px) {
@@ -91,7 +63,7 @@ class Painting {
   }
 
   // A wavy stroke across the photo, at shares of its size.
-  void stroke(const glm::dvec2& from, const glm::dvec2& to, int points, Times& times) {
+  void stroke(const glm::dvec2& from, const glm::dvec2& to, int points, FrameTimes& times) {
     const auto at = [&](double share) {
       glm::dvec2 place = glm::mix(from, to, share);
       place.y += 0.02 * std::sin(25.0 * share);
@@ -101,11 +73,11 @@ class Painting {
     times.add([&] { hand_.press(); });
     for (int i = 1; i <= points; ++i) times.add([&] { hand_.move_to(at(double(i) / points)); });
   }
-  void let_go(Times& times) {
+  void let_go(FrameTimes& times) {
     times.add([&] { hand_.release(); });
   }
   // Milliseconds from now until the live matte is of what is drawn.
-  void wait_for_live(Times& times) {
+  void wait_for_live(FrameTimes& times) {
     const MatteCanvas& canvas = workspace_.matte.canvas;
     times.add([&] {
       hand_.wait_for([&] {
@@ -114,7 +86,7 @@ class Painting {
       });
     });
   }
-  void key(int number, bool ctrl, bool shift, Times& times) {
+  void key(int number, bool ctrl, bool shift, FrameTimes& times) {
     hand_.hold_modifiers(ctrl, shift, false);
     times.add([&] { hand_.hold(number, true); });
     hand_.hold(number, false);
@@ -139,7 +111,7 @@ class Painting {
 };
 
 void paint_and_print(Painting& painting) {
-  Times quiet, point, release, live, undo, redo, view;
+  FrameTimes quiet, point, release, live, undo, redo, view;
   painting.stroke({0.4, 0.4}, {0.6, 0.45}, 40, quiet);
   painting.let_go(quiet);
   painting.key('X', false, false, quiet);
@@ -160,12 +132,12 @@ void paint_and_print(Painting& painting) {
   for (int i = 0; i < 18; ++i) painting.key('F', false, false, view);
   std::printf("%-44s %6s %8s %8s %8s %10s %8s\n", "ms", "count", "median", "p99", "worst",
               "CPU median", "CPU p99");
-  point.print("frame with a new point of a stroke");
-  release.print("frame that keeps the stroke");
-  live.print("from there to its live matte");
-  undo.print("frame that undoes a stroke of 60 points");
-  redo.print("frame that redoes it");
-  view.print("frame that changes the view");
+  print("frame with a new point of a stroke", point);
+  print("frame that keeps the stroke", release);
+  print("from there to its live matte", live);
+  print("frame that undoes a stroke of 60 points", undo);
+  print("frame that redoes it", redo);
+  print("frame that changes the view", view);
 }
 
 int run(int count, char** arguments) {

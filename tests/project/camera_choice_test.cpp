@@ -5,29 +5,18 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/phantom/phantom.h"
 #include "core/project/capture.h"
 #include "core/project/edit.h"
 #include "core/project/new_project.h"
-#include "tests/base/scratch_folder.h"
+#include "tests/project/tiny_capture_test.h"
 
 namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A tiny capture on disk, made once; photos 000 to 005.
-class CameraChoiceTest : public testing::Test {
+class CameraChoiceTest : public TinyCaptureTest {
  protected:
-  static void SetUpTestSuite() {
-    scratch = new ScratchFolder;
-    PhantomOptions options = tiny_phantom();
-    options.photos = 6;
-    Progress progress;
-    write_phantom(*scratch / "capture", make_phantom(options, progress), progress);
-  }
-  static void TearDownTestSuite() { delete scratch; }
-
   static fs::path capture() { return *scratch / "capture"; }
   static Project photos_alone(const fs::path& folder) {
     return make_project({folder, {capture() / "photos"}, {}, {}, {}}, {}, true, Progress());
@@ -45,10 +34,7 @@ class CameraChoiceTest : public testing::Test {
     stream << "]}";
     return file;
   }
-
-  static ScratchFolder* scratch;
 };
-ScratchFolder* CameraChoiceTest::scratch = nullptr;
 
 TEST_F(CameraChoiceTest, CountsPhotosWithACameraAndNamesTheOthers) {
   Project project = photos_alone(*scratch / "counts");

@@ -6,28 +6,17 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/phantom/phantom.h"
 #include "core/project/cache.h"
 #include "core/project/new_project.h"
-#include "tests/base/scratch_folder.h"
+#include "tests/project/tiny_capture_test.h"
 
 namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A tiny capture on disk, made once.
-class RunStages : public testing::Test {
+class RunStages : public TinyCaptureTest {
  protected:
-  static void SetUpTestSuite() {
-    scratch = new ScratchFolder;
-    PhantomOptions options = tiny_phantom();
-    options.photos = 6;
-    Progress progress;
-    write_phantom(*scratch / "capture", make_phantom(options, progress), progress);
-  }
-  static void TearDownTestSuite() { delete scratch; }
-
   static Project project_at(const fs::path& capture, const fs::path& folder) {
     const NewProject wanted{
         folder, {capture / "photos"}, capture / "transforms.json", capture / "mattes", {}};
@@ -36,10 +25,7 @@ class RunStages : public testing::Test {
     return make_project(wanted, recipe, true, Progress());
   }
   static Project project() { return project_at(*scratch / "capture", *scratch / "project"); }
-
-  static ScratchFolder* scratch;
 };
-ScratchFolder* RunStages::scratch = nullptr;
 
 std::vector<std::string> names_of(const Photos& photos) {
   std::vector<std::string> names;

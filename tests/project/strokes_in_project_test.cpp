@@ -3,31 +3,21 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/phantom/phantom.h"
 #include "core/project/hold_out.h"
 #include "core/project/new_project.h"
 #include "core/project/project_json.h"
 #include "core/project/run.h"
 #include "core/project/session.h"
-#include "tests/base/scratch_folder.h"
 #include "tests/project/random_edits.h"
+#include "tests/project/tiny_capture_test.h"
 
 namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
 
-class StrokesInProject : public testing::Test {
+class StrokesInProject : public TinyCaptureTest {
  protected:
-  static void SetUpTestSuite() {
-    scratch = new ScratchFolder;
-    PhantomOptions options = tiny_phantom();
-    options.photos = 6;
-    Progress progress;
-    write_phantom(*scratch / "capture", make_phantom(options, progress), progress);
-  }
-  static void TearDownTestSuite() { delete scratch; }
-
   // Its own folder for each test, since they are all one process's.
   static Project project_with(const char* scribbles) {
     const fs::path capture = *scratch / "capture";
@@ -51,10 +41,7 @@ class StrokesInProject : public testing::Test {
     }
     return "";
   }
-
-  static ScratchFolder* scratch;
 };
-ScratchFolder* StrokesInProject::scratch = nullptr;
 
 // Over the stem and over the sky, whatever the photo: its size is 96 to 200 px.
 const std::vector<Stroke> kBothKinds = {{StrokeKind::foreground, 6.0, {{48.0, 40.0}, {48.0, 60.0}}},

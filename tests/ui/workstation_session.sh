@@ -27,6 +27,14 @@ else
   smaller=6
 fi
 
+# Without a display: one clear sentence, bad input
+for command in "$bosk" "$bosk open"; do
+  status=0
+  env -u DISPLAY -u WAYLAND_DISPLAY $command 2>log || status=$?
+  [ $status -eq 3 ] || fail "without a display: status $status instead of 3"
+  grep -q "no window can be opened.*bosk --help" log || fail "no remedy is told without a display"
+done
+
 open_display 1400x900
 open_window "$bosk" open --landmarks marks
 wait_for "the start page" sees start/folder

@@ -4,8 +4,10 @@
 #include <cstdlib>
 
 #include "core/base/random.h"
+#include "core/project/project_json.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/hand.h"
+#include "tests/ui/workstation/tiny_project.h"
 #include "ui/widgets/keys.h"
 
 namespace bosk {
@@ -64,27 +66,59 @@ void do_something(Hand& hand, Random& random) {
   }
 }
 
-TEST(Monkey, RandomInputBreaksNothingAndUndoLeadsBack) {
+// Plays for a while with the open project. False where it ended up without one.
+bool play(Hand& hand, std::uint64_t seed) {
+  Random random(seed);
+  const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> length(seconds_of_play());
+  while (hand.workspace().session && std::chrono::steady_clock::now() - start < length) {
+    do_something(hand, random);
+  }
+  hand.workspace().jobs.cancel_all();
+  hand.hold_modifiers(false, false, false);
+  return hand.settle() && hand.workspace().session;
+}
+
+std::string content_of(const Workspace& workspace) {
+  Project project = workspace.project();
+  project.journal = {};
+  return project_text(project);
+}
+
+// Undone to the first edit and redone to the last, twice: both ends are always the same.
+void expect_the_same_ends(Workspace& workspace, const std::string& first) {
+  const std::string last = content_of(workspace);
+  for (int round = 0; round < 2; ++round) {
+    while (workspace.session->can_undo()) undo(workspace);
+    EXPECT_EQ(content_of(workspace), first);
+    while (workspace.session->can_redo()) redo(workspace);
+    EXPECT_EQ(content_of(workspace), last);
+  }
+}
+
+TEST(Monkey, RandomInputBreaksNothingInAnEmptyProject) {
   const ScratchFolder scratch;
   Hand hand;
   hand.click("start/folder");
   hand.type((scratch.path() / "oak").string());
   hand.click("start/make");
   ASSERT_TRUE(hand.workspace().session);
-  Random random(20261127);
-  const auto start = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> play(seconds_of_play());
-  int acts = 0;
-  while (std::chrono::steady_clock::now() - start < play) {
-    do_something(hand, random);
-    ++acts;
-    if (!hand.workspace().session) break;
-  }
-  ASSERT_TRUE(hand.workspace().session);
-  EXPECT_GT(acts, 10);
-  while (hand.workspace().session->can_undo()) undo(hand.workspace());
-  EXPECT_TRUE(hand.workspace().project().photos.empty());
-  EXPECT_TRUE(hand.workspace().project().strokes.empty());
+  const std::string first = content_of(hand.workspace());
+  ASSERT_TRUE(play(hand, 20261127));
+  expect_the_same_ends(hand.workspace(), first);
+}
+
+TEST(Monkey, RandomInputBreaksNothingFromPhotosToPackage) {
+  const ScratchFolder scratch;
+  const Project project = make_tiny_project(scratch.path(), TinyStart::scribbles);
+  const std::string folder = project.folder.string();
+  Hand hand;
+  open_project(hand.workspace(), folder);
+  hand.settle();
+  const std::string first = content_of(hand.workspace());
+  ASSERT_TRUE(play(hand, 7));
+  ASSERT_EQ(hand.workspace().project().folder.string(), folder);
+  expect_the_same_ends(hand.workspace(), first);
 }
 
 }  // namespace

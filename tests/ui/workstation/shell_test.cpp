@@ -4,6 +4,7 @@
 
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/hand.h"
+#include "tests/ui/workstation/tiny_project.h"
 #include "ui/widgets/keys.h"
 #include "ui/workstation/guide.h"
 
@@ -112,6 +113,33 @@ TEST_F(OpenShell, ClosingLeadsBackToTheStartPage) {
   hand.click("close");
   EXPECT_FALSE(hand.workspace().session);
   EXPECT_TRUE(hand.sees("start/folder"));
+}
+
+TEST(Workstation, ClosingDuringAJobLosesNothing) {
+  const ScratchFolder scratch;
+  const Project project = make_tiny_project(scratch.path());
+  std::string content;
+  {
+    Hand hand;
+    open_project(hand.workspace(), project.folder);
+    ASSERT_TRUE(hand.settle());
+    edit(hand.workspace(), option_edit(hand.workspace().project(), "opacity.passes", "2"));
+    run_to(hand.workspace(), "pack");
+    ASSERT_TRUE(hand.wait_for([&] { return hand.workspace().jobs.now().at(0).fraction > 0.2; }));
+    content = option_text(hand.workspace().project().recipe, "opacity.passes");
+  }
+  Hand hand;
+  open_project(hand.workspace(), project.folder);
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(option_text(hand.workspace().project().recipe, "opacity.passes"), content);
+  EXPECT_NE(state_of(hand.workspace(), "photo"), StageState::missing);  // finished before the close
+  run_to(hand.workspace(), "pack");
+  ASSERT_TRUE(hand.settle());
+  Progress progress;
+  Project untouched = make_tiny_project(scratch.path() / "again");
+  untouched.recipe.opacity.passes = 2;
+  const bosk::Run run = run_stages(untouched, gather_capture(untouched), {"pack"}, progress);
+  EXPECT_EQ(*hand.workspace().results.package, *run.results.package);
 }
 
 }  // namespace
