@@ -86,20 +86,29 @@ void sync_folder(const fs::path& target) {
   }
 }
 
-}  // namespace
-
-void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  const fs::path target = resolved_target(path);
+// Writes beside the target and renames over it.
+void replace_file(const fs::path& target, std::span<const std::byte> bytes, bool synced) {
   TemporaryFile temporary;
   create_beside(target, temporary);
   write_all(target, temporary.file.get(), bytes);
-  if (::fsync(temporary.file.get()) != 0) throw system_error(target, "synced", errno);
+  if (synced && ::fsync(temporary.file.get()) != 0) throw system_error(target, "synced", errno);
   if (temporary.file.close() != 0) throw system_error(target, "written", errno);
   if (::rename(temporary.path.c_str(), target.c_str()) != 0) {
     throw system_error(target, "replaced", errno);
   }
   temporary.kept = true;
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  const fs::path target = resolved_target(path);
+  replace_file(target, bytes, true);
   sync_folder(target);
+}
+
+void write_file_unsynced(const fs::path& path, std::span<const std::byte> bytes) {
+  replace_file(resolved_target(path), bytes, false);
 }
 
 void write_file_atomically(const fs::path& path, std::string_view text) {

@@ -15,6 +15,9 @@ namespace bosk {
 // Full disk or quota: Error of kind resource; missing or unwritable folder: bad_input.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+// The same without waiting for the disk: for what can be made again and whose reader finds damage,
+// since a power cut may leave the name with other bytes behind it. No kill and no full disk can.
+void write_file_unsynced(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 // The whole file. Error when it is missing, unreadable, no regular file (a FIFO never blocks), or
 // larger than `max_bytes`.

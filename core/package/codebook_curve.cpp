@@ -90,6 +90,7 @@ CodedTextures part_of(const CodedTextures& textures, const Billboards& whole,
     CodedLevel& to = result.levels[i];
     to.alpha_indices.clear();
     to.colour_indices.clear();
+    if (cells.empty()) continue;
     const auto blocks = std::ptrdiff_t(from.alpha_indices.size() / cells.size());
     for (const std::uint64_t cell : part.levels[i].cells) {
       const auto first =

@@ -157,7 +157,8 @@ void Cache::store(const std::string& stage, const ContentHash& key,
   std::error_code failure;
   fs::create_directories(folder_, failure);
   if (failure) throw system_error(folder_, "created", failure.value());
-  write_file_atomically(path(stage, key), packed_entry(key, result, seconds));
+  // A power cut may leave it damaged: then it is a miss, and nobody has to wait for the disk
+  write_file_unsynced(path(stage, key), packed_entry(key, result, seconds));
 }
 
 void Cache::forget_old(const std::string& stage, const ContentHash& key, int keep) const {

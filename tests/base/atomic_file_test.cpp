@@ -43,6 +43,17 @@ TEST(AtomicFile, WritesAndReplacesWithNothingBeside) {
   EXPECT_EQ(folder.file_count(), 1u);
 }
 
+TEST(AtomicFile, WithoutSyncingReplacesTheSameWay) {
+  const ScratchFolder folder;
+  const fs::path path = folder / "a";
+  write_file_atomically(path, "old");
+  const std::string text = "new and longer";
+  write_file_unsynced(path, std::as_bytes(std::span(text.data(), text.size())));
+  EXPECT_EQ(read_file(path, 100).size(), text.size());
+  EXPECT_EQ(folder.file_count(), 1u);
+  EXPECT_THROW(write_file_unsynced(folder / "none" / "a", {}), Error);
+}
+
 TEST(AtomicFile, GivesNewFilesTheUsualPermissions) {
   const ScratchFolder folder;
   const mode_t mask = ::umask(0022);

@@ -106,6 +106,16 @@ TEST(CodebookCurve, TellsEachPointAsMoreCodewordsCostAndKeepMore) {
   }
 }
 
+TEST(CodebookCurve, CountsALevelWithoutCellsAsNothing) {
+  Billboards tree = leafy_tree(3, 4, 300);
+  tree.levels.back().cells.clear();
+  tree.levels.back().texture.clear();
+  Progress quiet;
+  const auto curve = codebook_curve(tree, {}, std::vector<int>{16, 64}, quiet);
+  ASSERT_EQ(curve.size(), 2u);
+  EXPECT_GT(curve[1].package_bytes(), curve[0].package_bytes());
+}
+
 TEST(AtCodewords, IsStraightOverTheLogarithmAndEndsWithTheCurve) {
   const std::vector<CodebookPoint> curve{{16, 20.0, 10.0, 1000, 100, 7},
                                          {64, 24.0, 30.0, 3000, 500, 7}};

@@ -87,6 +87,7 @@ std::string content_of(const Workspace& workspace) {
 
 // Undone to the first edit and redone to the last, twice: both ends are always the same.
 void expect_the_same_ends(Workspace& workspace, const std::string& first) {
+  while (workspace.session->can_redo()) redo(workspace);  // what the play left undone
   const std::string last = content_of(workspace);
   for (int round = 0; round < 2; ++round) {
     while (workspace.session->can_undo()) undo(workspace);

@@ -104,8 +104,11 @@ ImagePlace draw_sheet_view(const std::string& name, ImageView& view, const Textu
 void draw_textures_views(Workspace& workspace) {
   TexturesStepState& state = workspace.textures;
   const auto& levels = workspace.results.billboards->levels;
-  draw_cell_choice(state, levels[std::size_t(state.level)]);
-  if (state.cell < 0) return;
+  const BillboardLevel& level = levels[std::size_t(state.level)];
+  draw_cell_choice(state, level);
+  const bool there = state.cell >= 0 && std::size_t(state.cell) < level.cells.size() &&
+                     std::size_t(state.view) < level.views.size();
+  if (!there) return;  // of an empty level there is nothing to see
   ImGui::TextDisabled(codebooks_of_shown(workspace)
                           ? "All cells from one view: press one.   Its views: original | compressed"
                           : "All cells from one view: press one.   Its views");
