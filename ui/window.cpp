@@ -54,6 +54,7 @@ void Window::listen(GLFWwindow* window) {
   glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
     note(of);
     auto& path = heard_by(of).mouse_path;
+    heard_by(of).mouse = {x, y};
     if (path.size() < kMostMousePlaces) path.emplace_back(x, y);
   });
   glfwSetDropCallback(window, [](GLFWwindow* of, int count, const char** paths) {
@@ -65,10 +66,9 @@ void Window::listen(GLFWwindow* window) {
     note(of);
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     Heard& heard = heard_by(of);
-    double x = 0.0, y = 0.0;
-    glfwGetCursorPos(of, &x, &y);
+    // Not where the mouse is by now, which the window system would be asked for, but where it was
     (action == GLFW_PRESS ? heard.left.down : heard.left.up) = heard.mouse_path.size();
-    heard.mouse_path.emplace_back(x, y);
+    heard.mouse_path.push_back(heard.mouse);
   });
   glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { note(of); });
   glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int held) {

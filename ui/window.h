@@ -70,6 +70,7 @@ class Window {
     Modifiers typed_modifiers;
     std::vector<std::filesystem::path> dropped;
     std::vector<glm::vec2> mouse_path;
+    glm::vec2 mouse{0.0f};  // by the newest event
     LeftButton left;
     bool focus_lost = false;
   };

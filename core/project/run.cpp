@@ -132,6 +132,7 @@ class Runner {
     const ContentHash& key = keys_.at(stage.name);
     cache_.store(stage.name, key, writer.bytes(), seconds);
     cache_.forget_old(stage.name, key, kEntriesKept);
+    progress_.check();  // what was made is kept; nobody waits for it to be read
     stage.let_go(run_.results);
     read(stage, writer.bytes());
   }
