@@ -19,7 +19,7 @@ export XDG_CONFIG_HOME=$folder/config
 PATIENCE=300
 
 if [ -n "$capture" ]; then
-  ln -s "$capture" capture
+  cp -r "$capture" capture
   smaller=0
 else
   "$bosk" phantom capture --quiet --photos 8 --width_px 180 --height_px 240 >/dev/null 2>&1 ||
