@@ -81,6 +81,7 @@ std::vector<glm::ivec3> carve_once(const std::vector<Silhouette>& silhouettes, c
   std::vector<std::uint8_t> kept(parents.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parents.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      progress.check();
       for (int child = 0; child < 8; ++child) {
         const glm::dvec3 lower = cube.origin + glm::dvec3(child_cell(parents[i], child)) * edge;
         if (keep(silhouettes, lower, edge, needed)) kept[i] |= std::uint8_t(1 << child);
