@@ -62,15 +62,14 @@ void draw_stage_options(Workspace& workspace, const std::string& stage,
 
 void draw_preset_choice(Workspace& workspace) {
   for (const Preset& preset : presets()) {
+    if (&preset != &presets().front()) ImGui::SameLine();
     const bool pressed = button("preset/" + preset.name, preset.name, preset.help);
-    ImGui::SameLine();
     if (!pressed) continue;
     Recipe recipe = workspace.project().recipe;
     apply_preset(recipe, preset.name);
     SetOptions change = recipe_edit(workspace.project(), "preset " + preset.name, recipe);
     if (!change.options.empty()) edit(workspace, std::move(change));
   }
-  ImGui::NewLine();
 }
 
 }  // namespace bosk

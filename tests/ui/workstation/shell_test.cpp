@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "core/project/presets.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/hand.h"
 #include "tests/ui/workstation/tiny_project.h"
@@ -91,6 +92,19 @@ TEST_F(OpenShell, UndoAndRedoByKeyAndButton) {
   EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, OpacityOptions().cell_px);
   hand.click("redo");
   EXPECT_EQ(hand.workspace().project().recipe.opacity.cell_px, 2.5);
+}
+
+TEST_F(OpenShell, APresetIsOneEdit) {
+  hand.click("step/volume");
+  hand.click("preset/fast");
+  Recipe fast;
+  apply_preset(fast, "fast");
+  EXPECT_EQ(hand.workspace().project().recipe.radiance.epochs, fast.radiance.epochs);
+  EXPECT_EQ(hand.workspace().session->undo_title(), "preset fast");
+  hand.click("preset/fast");  // nothing is left to change
+  hand.click("undo");
+  EXPECT_EQ(hand.workspace().project().recipe.radiance.epochs, RadianceOptions().epochs);
+  EXPECT_FALSE(hand.workspace().session->can_undo());
 }
 
 TEST_F(OpenShell, TheListOfKeysComesAndGoes) {

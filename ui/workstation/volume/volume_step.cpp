@@ -132,7 +132,8 @@ void draw_controls(Workspace& workspace) {
   draw_stopped(workspace);
   draw_choice_of_result(workspace);
   if (workspace.volume.look) draw_state_of_look(*workspace.volume.look);
-  ImGui::TextDisabled("Options apply to the next run.");
+  ImGui::TextDisabled("Options apply to the next run. All of them at once:");
+  draw_preset_choice(workspace);
   for (const char* stage : {"opacity", "radiance"}) {
     const std::string title = title_of_stage(stage) + " options";
     const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
