@@ -36,7 +36,8 @@ export ASAN_OPTIONS=detect_leaks=0
 
 # open_display WIDTHxHEIGHT
 open_display() {
-  Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp 3>display 2>/dev/null &
+  # -noreset: else the server begins anew, and is away for a moment, when a window is killed
+  Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset 3>display 2>/dev/null &
   pids+=($!)
   wait_for "a display" test -s display
   export DISPLAY=":$(cat display)"
