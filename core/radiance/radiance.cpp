@@ -40,7 +40,9 @@ RadianceVolume refined_volume(const RadianceVolume& volume,
   RadianceVolume finer{volume.origin, volume.size_m, {}, volume.degree, {}, {}};
   finer.grid = SparseGrid(
       level, carve_children(silhouettes, {volume.origin, volume.size_m}, parents, level, progress));
+  progress.check();
   finer.extinction = refined_extinction(volume.grid, volume.extinction, finer.grid);
+  progress.check();
   finer.colour =
       refined_mean(volume.grid, volume.colour, std::size_t(volume.coefficients()) * 3, finer.grid);
   return without_faint(finer, kFaintStart);
@@ -276,7 +278,9 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
     std::optional<ProgressPart> step_part(std::in_place, progress, 0.0, kCastingShare);
     if (phase.level > volume.grid.level()) volume = refined_volume(volume, silhouettes, progress);
     if (volume.grid.size() == 0) throw_empty();
+    progress.check();
     const TrilinearSupport support(volume.grid);
+    progress.check();
     if (!cast || cast->level != phase.level || cast->step != phase.step) {
       cast = phase;
       cache = cache_rays(photos, mattes, phase.step, {volume.origin, volume.size_m}, phase.level,
