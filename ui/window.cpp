@@ -176,6 +176,15 @@ void Window::present() { glfwSwapBuffers(window_); }
 
 void Window::wake() { glfwPostEmptyEvent(); }
 
+void Window::resize(const glm::ivec2& size) {
+  glm::ivec2 place(0), room(size);
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    glfwGetMonitorWorkarea(monitor, &place.x, &place.y, &room.x, &room.y);
+  }
+  const glm::ivec2 fitting = glm::min(size, room);
+  glfwSetWindowSize(window_, fitting.x, fitting.y);
+}
+
 float Window::content_scale() const {
   float scale = 1.0f;
   glfwGetWindowContentScale(window_, &scale, nullptr);

@@ -49,6 +49,8 @@ class Window {
   LeftButton take_left_button() { return std::exchange(heard_.left, {}); }
   // Whether the window lost the keyboard since the last call.
   bool take_focus_loss() { return std::exchange(heard_.focus_lost, false); }
+  // Makes the window so large, as far as the screen has room.
+  void resize(const glm::ivec2& size);
   // What the screen asks for: 1 at about 96 dots an inch.
   float content_scale() const;
   // Colours, font and spacing of the panels; not between begin_overlay and draw_overlay.

@@ -38,7 +38,9 @@ class WorkstationLoop {
             gl_picture_device(), [this] { wake(); }, settings_folder()) {
     workspace_.tree_pictures = gl_tree_pictures(window_.driver());
     workspace_.screen_scale = window_.content_scale();
-    window_.set_theme(scale_of(workspace_));
+    const float scale = scale_of(workspace_);
+    window_.set_theme(scale);
+    if (scale > 1.0f) window_.resize(glm::ivec2(glm::vec2(start.size) * scale));
     if (start.project) open_project(workspace_, *start.project);
   }
 

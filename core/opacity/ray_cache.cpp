@@ -143,15 +143,10 @@ void append(PhotoRays&& part, RayCache& cache) {
 }  // namespace
 
 TrilinearSupport::TrilinearSupport(const SparseGrid& grid) {
-  std::vector<glm::ivec3> bases;
-  bases.reserve(grid.size() * 8);
-  for (const glm::u16vec3& cell : grid.cells()) {
-    for (int i = 0; i < 8; ++i) {
-      bases.push_back(glm::ivec3(cell) - glm::ivec3(i & 1, i >> 1 & 1, i >> 2) + 1);
-    }
-  }
-  // One level finer holds side + 1 base cells in the smallest cube the grid offers.
-  supported_ = SparseGrid(grid.level() + 1, bases);
+  // Base cell b is cell - {0, 1}^3, kept at b + 1: one level finer, the smallest cube that holds
+  // side
+  // + 1 of them
+  supported_ = grid.grown();
   corners_.resize(supported_.size());
   const auto& supports = supported_.cells();
   tbb::parallel_for(std::size_t(0), supports.size(), [&](std::size_t s) {

@@ -18,6 +18,10 @@ class SparseGrid {
   // `cells` may be in any order and repeat. Level 2 to 10.
   SparseGrid(int level, const std::vector<glm::ivec3>& cells);
 
+  // The cells and those {0, 1}^3 above them, in a grid of twice the side: a brick at a time, by its
+  // bits.
+  SparseGrid grown() const;
+
   int level() const { return level_; }
   int side() const { return 1 << level_; }
   std::size_t size() const { return cells_.size(); }
@@ -49,6 +53,10 @@ class SparseGrid {
     std::uint32_t first = 0;
     std::uint32_t unused = 0;
   };
+  // Lower corners of the blocks marked in blocks_, which are numbered in that order.
+  std::vector<glm::ivec3> number_blocks();
+  // Numbers the cells that the bricks hold; `corners` of the blocks.
+  void number_cells(const std::vector<glm::ivec3>& corners);
   std::size_t block_index(int x, int y, int z) const {
     const int shift = block_shift();
     return (((std::size_t(z) >> 4) << shift | (std::size_t(y) >> 4)) << shift) |

@@ -9,6 +9,7 @@
 
 #include "core/render/forest.h"
 #include "tests/benchmarks/packages.h"
+#include "tests/benchmarks/run_or_explain.h"
 
 namespace bosk {
 namespace {

@@ -23,6 +23,7 @@
 #include "core/render/gl/offscreen_target.h"
 #include "core/render/reference.h"
 #include "tests/benchmarks/packages.h"
+#include "tests/benchmarks/run_or_explain.h"
 #include "tests/render/toy_trees.h"
 
 namespace bosk {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <iostream>
 #include <memory>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/package/reader.h"
 #include "core/render/prepared_tree.h"
 
@@ -25,16 +23,6 @@ inline Packages load_packages(int count, char** paths) {
   for (const TreeModel& model : packages.models)
     packages.trees.push_back(std::make_shared<PreparedTree>(model));
   return packages;
-}
-
-// The exit status of `run`; 3 and the reason where it throws Error.
-inline int run_or_explain(int (*run)(int, char**), int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const Error& error) {
-    std::cerr << error.what() << "\n";
-    return 3;
-  }
 }
 
 }  // namespace bosk

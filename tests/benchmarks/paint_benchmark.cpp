@@ -15,13 +15,12 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/image/orientation.h"
-#include "core/phantom/phantom.h"
 #include "core/photo/child_mode.h"
-#include "core/project/new_project.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/benchmarks/frame_times.h"
+#include "tests/benchmarks/run_or_explain.h"
+#include "tests/benchmarks/sample_project.h"
 #include "tests/ui/workstation/hand.h"
 #include "ui/widgets/keys.h"
 
@@ -33,23 +32,6 @@ void print(const std::string& what, const FrameTimes& times) {
   std::printf("%-44s %6zu %8.1f %8.1f %8.1f %10.1f %8.1f\n", what.c_str(), wall.size(),
               quantile(wall, 0.5), quantile(wall, 0.99), quantile(wall, 1.0), quantile(cpu, 0.5),
               quantile(cpu, 0.99));
-}
-
-std::filesystem::path sample_project(const std::filesystem::path& folder, int width_px,
-                                     int height_px) {
-  PhantomOptions options;
-  options.photos = 4;
-  options.held_out = 0;
-  options.width_px = width_px;
-  options.height_px = height_px;
-  Progress quiet;
-  write_phantom(folder / "capture", make_phantom(options, quiet), quiet);
-  NewProject wanted;
-  wanted.folder = folder / "tree";
-  wanted.photos = {folder / "capture" / "photos"};
-  wanted.cameras = folder / "capture" / "transforms.json";
-  make_project(wanted, {}, false, quiet);
-  return wanted.folder;
 }
 
 class Painting {
@@ -145,7 +127,12 @@ int run(int count, char** arguments) {
     return count > at ? std::atoi(arguments[at]) : otherwise;
   };
   const ScratchFolder scratch;
-  Painting painting(sample_project(scratch.path(), number(1, 720), number(2, 960)));
+  PhantomOptions options;
+  options.photos = 4;
+  options.held_out = 0;
+  options.width_px = number(1, 720);
+  options.height_px = number(2, 960);
+  Painting painting(sample_project(scratch.path(), options, false));
   const Photo& photo = *photo_on_canvas(painting.workspace());
   std::printf("%.2f megapixels, window of 1400 x 900; CPU is the interface's thread\n",
               double(photo.srgb.size()) / 1e6);
@@ -158,10 +145,5 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   if (const auto status = bosk::run_child_mode(count, arguments)) return *status;
-  try {
-    return bosk::run(count, arguments);
-  } catch (const bosk::Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 3;
-  }
+  return bosk::run_or_explain(bosk::run, count, arguments);
 }

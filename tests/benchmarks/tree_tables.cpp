@@ -15,6 +15,7 @@
 #include "core/render/draw_list.h"
 #include "core/render/level_switch.h"
 #include "tests/benchmarks/packages.h"
+#include "tests/benchmarks/run_or_explain.h"
 
 namespace bosk {
 namespace {

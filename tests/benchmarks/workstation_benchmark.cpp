@@ -15,13 +15,12 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/phantom/phantom.h"
 #include "core/photo/child_mode.h"
-#include "core/project/new_project.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/benchmarks/frame_times.h"
+#include "tests/benchmarks/run_or_explain.h"
+#include "tests/benchmarks/sample_project.h"
 #include "tests/ui/workstation/hand.h"
 #include "ui/workstation/workstation.h"
 
@@ -34,23 +33,6 @@ void print_row(const std::string& what, const std::vector<double>& wall,
                const std::vector<double>& cpu) {
   std::printf("%-34s %6zu %8.2f %8.2f %8.2f %10.2f\n", what.c_str(), wall.size(),
               quantile(wall, 0.5), quantile(wall, 0.99), quantile(wall, 1.0), quantile(cpu, 0.99));
-}
-
-std::filesystem::path sample_project(const std::filesystem::path& folder, int photos, int width_px,
-                                     int height_px) {
-  PhantomOptions options;
-  options.photos = photos;
-  options.width_px = width_px;
-  options.height_px = height_px;
-  Progress quiet;
-  write_phantom(folder / "capture", make_phantom(options, quiet), quiet);
-  NewProject wanted;
-  wanted.folder = folder / "tree";
-  wanted.photos = {folder / "capture" / "photos"};
-  wanted.cameras = folder / "capture" / "transforms.json";
-  wanted.mattes = folder / "capture" / "mattes";
-  make_project(wanted, {}, false, quiet);
-  return wanted.folder;
 }
 
 void time_steps(Hand& hand, const std::string& when) {
@@ -119,8 +101,11 @@ int run(int count, char** arguments) {
     return count > at ? std::atoi(arguments[at]) : otherwise;
   };
   const ScratchFolder scratch;
-  const auto project =
-      sample_project(scratch.path(), number(1, 12), number(2, 720), number(3, 960));
+  PhantomOptions options;
+  options.photos = number(1, 12);
+  options.width_px = number(2, 720);
+  options.height_px = number(3, 960);
+  const auto project = sample_project(scratch.path(), options, true);
   Hand hand;
   open_project(hand.workspace(), project);
   hand.settle();
@@ -141,10 +126,5 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   if (const auto status = bosk::run_child_mode(count, arguments)) return *status;
-  try {
-    return bosk::run(count, arguments);
-  } catch (const bosk::Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 3;
-  }
+  return bosk::run_or_explain(bosk::run, count, arguments);
 }

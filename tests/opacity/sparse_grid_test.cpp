@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/opacity/ray_cache.h"
 #include "core/opacity/resample.h"
 
@@ -62,6 +63,36 @@ TEST(SparseGrid, RefusesStoredCellsOutsideTheGrid) {
   writer.array(std::vector<glm::u16vec3>{{8, 0, 0}});
   BinaryReader reader(writer.bytes());
   EXPECT_THROW(read_sparse_grid(reader), Error);
+}
+
+TEST(SparseGrid, GrowsByTheCellsAboveAsIfTheyHadBeenListed) {
+  Random random(3);
+  for (const int level : {2, 4, 6}) {
+    std::vector<glm::ivec3> cells, listed;
+    const auto side = std::uint64_t(1) << level;
+    for (int i = 0; i < 300; ++i) {
+      cells.emplace_back(random.below(side), random.below(side), random.below(side));
+    }
+    cells.emplace_back(glm::ivec3(int(side) - 1));
+    for (const glm::ivec3& cell : cells) {
+      for (int i = 0; i < 8; ++i) {
+        listed.push_back(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
+      }
+    }
+    const SparseGrid grown = SparseGrid(level, cells).grown(), expected(level + 1, listed);
+    EXPECT_EQ(grown.level(), level + 1);
+    ASSERT_EQ(grown.cells(), expected.cells());
+    for (std::size_t i = 0; i < grown.size(); ++i) {
+      const glm::ivec3 cell(grown.cells()[i]);
+      ASSERT_EQ(grown.find(cell.x, cell.y, cell.z), std::int32_t(i));
+    }
+    for (int i = 0; i < 1000; ++i) {
+      const glm::ivec3 at(random.below(2 * side), random.below(2 * side), random.below(2 * side));
+      ASSERT_EQ(grown.find(at.x, at.y, at.z), expected.find(at.x, at.y, at.z));
+      ASSERT_EQ(grown.empty_block(at.x, at.y, at.z), expected.empty_block(at.x, at.y, at.z));
+    }
+  }
+  EXPECT_EQ(SparseGrid(3, {}).grown().size(), 0u);
 }
 
 TEST(TrilinearSupport, SurroundsALoneCellByEightBases) {

@@ -11,11 +11,11 @@ RunWatchers watchers_of(Workspace& workspace) {
   return volume_watchers(workspace.volume.watch, [jobs = &workspace.jobs] { jobs->wake(); });
 }
 
-void apply_what_was_used(Workspace& workspace, const Run& run) {
+void apply_what_was_used(Workspace& workspace, const Recipe& asked, const Recipe& used) {
   for (const std::string option : {"opacity.stop_after", "radiance.stop_after"}) {
-    const std::string used = option_text(run.recipe, option);
-    if (used != option_text(workspace.project().recipe, option)) {
-      edit(workspace, option_edit(workspace.project(), option, used));
+    const std::string text = option_text(used, option);
+    if (text != option_text(asked, option)) {
+      edit(workspace, option_edit(workspace.project(), option, text));
     }
   }
 }

@@ -14,7 +14,7 @@ std::string title_of_stage(const std::string& stage);
 RunWatchers watchers_of(Workspace& workspace);
 
 // Where a stage was stopped early to keep what it had, the project takes over the options that give
-// just that.
-void apply_what_was_used(Workspace& workspace, const Run& run);
+// just that: those in which what a run used differs from what it was asked for.
+void apply_what_was_used(Workspace& workspace, const Recipe& asked, const Recipe& used);
 
 }  // namespace bosk

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a person looks at: these results stay in memory once made.
-std::vector<std::string> shown_stages_up_to(const std::string& stage) {
-  return stages_up_to(stage);
-}
-
 // Takes over what `from` holds.
 void merge(Results& into, const Results& from) {
   const auto take = [](auto& mine, const auto& other) {
@@ -44,6 +39,7 @@ Results current_results(const Workspace& workspace) {
 }
 
 struct Made {
+  Recipe asked;  // what the run began with
   Run run;
   std::map<std::string, ContentHash> keys;
 };
@@ -55,7 +51,7 @@ void install(Workspace& workspace, Made made) {
     workspace.made[stage] = key;
     workspace.made_with[stage] = made.keys;
   }
-  apply_what_was_used(workspace, made.run);
+  apply_what_was_used(workspace, made.asked, made.run.recipe);
   workspace.seen_revision.reset();  // what is stored may have changed
 }
 
@@ -68,6 +64,7 @@ void start_run(Workspace& workspace, const std::string& title, const std::string
       [project, capture = workspace.capture, wanted, watchers = watchers_of(workspace),
        known = current_results(workspace)](Progress& progress) {
         Made made;
+        made.asked = project->recipe;
         made.run = run_stages(*project, *capture, wanted, progress, {}, watchers, known);
         made.keys = stage_keys(*capture, made.run.recipe);
         return made;
@@ -225,7 +222,7 @@ std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
 void run_to(Workspace& workspace, const std::string& stage) {
   if (!obstacle_to(workspace, stage).empty() || is_running(workspace, stage)) return;
   if (workspace.running_job != 0) workspace.jobs.cancel(workspace.running_job);
-  start_run(workspace, title_of_stage(stage), stage, shown_stages_up_to(stage));
+  start_run(workspace, title_of_stage(stage), stage, stages_up_to(stage));
 }
 
 void load_if_stored(Workspace& workspace, const std::string& stage) {
