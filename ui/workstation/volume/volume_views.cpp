@@ -160,11 +160,12 @@ Image<glm::u8vec4> photo_pixels(const Workspace& workspace, const std::string& n
 void draw_photo(Workspace& workspace, const std::string& name, const glm::dvec2& size_px,
                 const ImVec2& area) {
   VolumeStepState& state = workspace.volume;
-  const auto source = workspace.results.imported ? std::uint64_t(2)
-                      : workspace.results.mattes ? std::uint64_t(1)
-                                                 : std::uint64_t(0);
-  const Texture texture = workspace.pictures.show("volume/photo/" + name, source,
-                                                  [&] { return photo_pixels(workspace, name); });
+  const char* source = workspace.results.imported ? "photo" : "matte";
+  const auto made = workspace.made.find(source);
+  const std::uint64_t revision = made == workspace.made.end() ? 0 : made->second.low;
+  const Texture texture =
+      workspace.pictures.show(std::string("volume/") + source + "/" + name, revision,
+                              [&] { return photo_pixels(workspace, name); });
   draw_image_view("volume/photo", state.photo_view, texture, size_px, area);
 }
 
@@ -196,12 +197,19 @@ void draw_comparison(Workspace& workspace, const ImVec2& area) {
   draw_rendering(workspace, camera, size_px, half);
 }
 
+// As a format that shows just this text.
+std::string format_of(const std::string& text) {
+  std::string format;
+  for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return format;
+}
+
 void draw_photo_choice(VolumeStepState& state) {
   const int photos = int(state.look->cameras.size());
   if (photos == 0) return;
   ImGui::SetNextItemWidth(12.0f * ImGui::GetFontSize());
   ImGui::SliderInt("##photo", &state.photo, 0, photos - 1,
-                   state.look->cameras[std::size_t(state.photo)].name.c_str(),
+                   format_of(state.look->cameras[std::size_t(state.photo)].name).c_str(),
                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   mark("volume/photo_choice");
   ImGui::SameLine();
