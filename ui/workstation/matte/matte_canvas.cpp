@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/project/imported_mattes.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -181,6 +182,7 @@ CanvasLook look_of(const Workspace& workspace, const Image<glm::vec4>*& matte) {
 
 void follow_canvas(Workspace& workspace) {
   MatteStepState& step = workspace.matte;
+  if (step.canvas.photo != step.photo) keep_stroke_in_hand(workspace);  // on the photo it is on
   const auto& imported = workspace.results.imported;
   if (!imported || imported->photos.empty()) return;
   if (!find_photo(*imported, step.photo)) step.photo = imported->photos.front().name;

@@ -6,6 +6,7 @@
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/options_panel.h"
 #include "ui/workstation/workspace.h"
 
@@ -139,6 +140,7 @@ void hear_matte_keys(Workspace& workspace) {
         step.view = view_after(step.view);
         break;
       case 'S':
+        keep_stroke_in_hand(workspace);  // the sheet would not hear its end
         step.sheet = !step.sheet;
         break;
       case kKeyPageDown:
