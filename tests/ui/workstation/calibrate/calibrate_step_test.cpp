@@ -12,20 +12,16 @@ namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
-using testing::Field;
 using testing::HasSubstr;
 
-class CalibrateStep : public testing::Test {
+class CalibrateStep : public SmallCaptureStep {
  protected:
   CalibrateStep() {
-    make_project_by_hand(hand, capture.scratch / "oak");
     hand.drop({capture.photos()});
     EXPECT_TRUE(hand.settle());
     hand.click("step/calibrate");
   }
 
-  Workspace& workspace() { return hand.workspace(); }
   CalibrateStepState& state() { return hand.workspace().calibrate; }
   void type_cameras(const fs::path& path) {
     hand.click("calibrate/path");
@@ -33,12 +29,7 @@ class CalibrateStep : public testing::Test {
     hand.click("calibrate/import");
     ASSERT_TRUE(hand.settle());
   }
-  void expect_said(const std::string& words) {
-    EXPECT_THAT(state().said, Contains(Field(&Notice::text, HasSubstr(words))));
-  }
-
-  const SmallCapture capture;
-  Hand hand;
+  void expect_said(const std::string& words) { expect_told(state().said, words); }
 };
 
 TEST_F(CalibrateStep, TypedCamerasAreMatchedAndImportedInOneEdit) {
