@@ -93,12 +93,8 @@ void draw_run(Workspace& workspace) {
     step.sheet = step.doubt_first = true;
     if (step.view == MatteView::photo) step.view = MatteView::on_black;
   }
-  const std::size_t strokes = [&] {
-    const auto found = workspace.project().strokes.find(step.photo);
-    return found == workspace.project().strokes.end() ? 0 : found->second.size();
-  }();
   if (button("matte/clear", "Remove all strokes of this photo", "undo brings them back",
-             strokes == 0 ? "there are none" : "")) {
+             strokes_on(workspace, step.photo).empty() ? "there are none" : "")) {
     edit(workspace, clear_edit(workspace.project(), step.photo));
   }
 }
@@ -166,6 +162,9 @@ void draw_matte_tools(Workspace& workspace) {
   draw_matte_photos(workspace);
   if (ImGui::CollapsingHeader("Options")) draw_stage_options(workspace, "matte");
   mark("matte/options");
+  if (workspace.project().mattes.empty()) {
+    paragraph(Tone::muted, "Finished mattes, called like the photos? Drop their folder here.");
+  }
 }
 
 }  // namespace bosk

@@ -17,9 +17,8 @@ constexpr double kHighest = 1.5;           // elevation, just below the zenith
 
 // Draws the view on a worker when it isn't the one shown; one at a time, so that a moving hand
 // always sees the newest that could be made.
-void keep_drawn(Workspace& workspace, VolumePicture VolumeStepState::*member,
-                const VolumeView& wanted, const Camera& camera, const std::string& key) {
-  VolumePicture& picture = workspace.volume.*member;
+void keep_drawn(Workspace& workspace, VolumePicture& picture, const VolumeView& wanted,
+                const Camera& camera, const std::string& key) {
   if (picture.shown == wanted && picture.revision > 0) return;
   if (workspace.jobs.is_open(picture.job)) return;
   const int width_px = std::max(
@@ -128,7 +127,7 @@ void draw_orbit(Workspace& workspace, const ImVec2& area) {
   const int width_px = std::max(1, int(double(wanted.height_px) * double(area.x) / double(area.y)));
   const Camera camera = orbit_camera(state.look->volume, wanted.azimuth, wanted.elevation,
                                      wanted.distance, width_px, wanted.height_px);
-  keep_drawn(workspace, &VolumeStepState::orbit_picture, wanted, camera, "volume/orbit");
+  keep_drawn(workspace, state.orbit_picture, wanted, camera, "volume/orbit");
   draw_fitted(texture_of(workspace, "volume/orbit", state.orbit_picture), least, area,
               ground_colour());
 }
@@ -176,7 +175,7 @@ void draw_rendering(Workspace& workspace, const Camera& camera, const glm::dvec2
   wanted.look = state.look_revision;
   wanted.photo = state.photo;
   wanted.height_px = std::min(camera.lens.height_px, kTallest_px);
-  keep_drawn(workspace, &VolumeStepState::photo_picture, wanted, camera, "volume/rendering");
+  keep_drawn(workspace, state.photo_picture, wanted, camera, "volume/rendering");
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + area.x, least.y + area.y},
                                             ground_colour());
