@@ -170,5 +170,17 @@ TEST_F(ImportedCameras, ThereIsNothingToCompareBeforeAVolume) {
   EXPECT_TRUE(state().differences.by_name.empty());
 }
 
+TEST_F(ImportedCameras, MattesOfOtherPhotosThanTheVolumesAreNotCompared) {
+  const auto photo_named = [](const std::string& name) {
+    Photo photo;
+    photo.name = name;
+    return photo;
+  };
+  workspace().results.views =
+      std::make_shared<const Photos>(Photos{photo_named("000"), photo_named("001")});
+  workspace().results.mattes = std::make_shared<const Mattes>(Mattes{{"001", {}}});
+  EXPECT_THAT(obstacle_to_differences(workspace()), HasSubstr("other photos than the volume"));
+}
+
 }  // namespace
 }  // namespace bosk
