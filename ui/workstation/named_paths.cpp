@@ -21,9 +21,22 @@ void open_named_project(Workspace& workspace, const fs::path& folder) {
   workspace.photos.said = std::move(told);
 }
 
+constexpr std::size_t kFewestMattes = 2;  // a run needs two photos
+
+// Mattes in a folder that was dropped on step Matte; none where it is anything else.
+std::vector<fs::path> mattes_dropped(const Workspace& workspace,
+                                     const std::vector<fs::path>& named) {
+  if (workspace.step != WorkStep::matte || named.size() != 1) return {};
+  std::vector<fs::path> photos = workspace.project().photos;
+  for (fs::path& photo : photos) photo = workspace.project().absolute(photo);
+  return mattes_for(photos, named.front());
+}
+
 }  // namespace
 
 void take_paths(Workspace& workspace, const std::vector<fs::path>& named) {
+  const std::vector<fs::path> mattes = mattes_dropped(workspace, named);
+  if (mattes.size() >= kFewestMattes) return take_mattes(workspace, mattes);
   const NamedPaths paths = sorted_out(named);
   if (!paths.project.empty()) return open_named_project(workspace, paths.project);
   workspace.photos.said.clear();

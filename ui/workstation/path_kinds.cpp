@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "core/base/system_error.h"
@@ -154,6 +155,21 @@ NamedPaths sorted_out(const Paths& named) {
   std::sort(all.photos.begin(), all.photos.end());
   all.photos.erase(std::unique(all.photos.begin(), all.photos.end()), all.photos.end());
   return all;
+}
+
+Paths mattes_for(const Paths& photos, const fs::path& folder) {
+  if (holds_project(folder)) return {};
+  std::map<std::string, fs::path> files;
+  for (const fs::path& file : photos_in(folder)) files[file.stem().string()] = file;
+  Paths mattes;
+  for (const fs::path& photo : photos) {
+    const auto file = files.find(photo.stem().string());
+    if (file == files.end()) continue;
+    std::error_code none;
+    if (fs::equivalent(photo, file->second, none)) return {};
+    mattes.push_back(file->second);
+  }
+  return mattes;
 }
 
 fs::path path_of_text(std::string text) {

@@ -25,6 +25,11 @@ struct NamedPaths {
 };
 NamedPaths sorted_out(const std::vector<std::filesystem::path>& named);
 
+// Files of the folder that may be mattes of these photos, by their names alone and in the photos'
+// order; none where one of them is a photo itself, or where the folder holds a project.
+std::vector<std::filesystem::path> mattes_for(const std::vector<std::filesystem::path>& photos,
+                                              const std::filesystem::path& folder);
+
 // The path that typed or pasted text means: without quotes, blanks around it and file://, with ~ as
 // the person's own folder.
 std::filesystem::path path_of_text(std::string text);

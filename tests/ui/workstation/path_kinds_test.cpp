@@ -85,6 +85,19 @@ TEST(SortedOut, LeavesOutAnEmptyPath) {
   EXPECT_THAT(sorted_out({""}).left_out, ElementsAre(HasSubstr("is no path")));
 }
 
+TEST(MattesFor, AreFilesThatAreCalledLikeThePhotosAndAreNone) {
+  const ScratchFolder folder;
+  for (const char* name : {"photos/a.jpg", "photos/b.jpg", "mattes/b.png", "mattes/c.png"}) {
+    make(folder / name);
+  }
+  const std::vector<fs::path> photos = {folder / "photos/a.jpg", folder / "photos/b.jpg"};
+  EXPECT_THAT(mattes_for(photos, folder / "mattes"), ElementsAre(folder / "mattes/b.png"));
+  EXPECT_THAT(mattes_for(photos, folder / "photos"), IsEmpty());
+  EXPECT_THAT(mattes_for(photos, folder / "nowhere"), IsEmpty());
+  make(folder / "mattes/project.json");
+  EXPECT_THAT(mattes_for(photos, folder / "mattes"), IsEmpty());
+}
+
 TEST(PathOfText, IsEmptyForBlanks) { EXPECT_EQ(path_of_text("  \t"), ""); }
 
 TEST(PathOfText, TakesAwayWhatPastingAdds) {

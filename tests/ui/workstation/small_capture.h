@@ -1,5 +1,8 @@
 #pragma once
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -37,5 +40,20 @@ inline void make_project_by_hand(Hand& hand, const std::filesystem::path& folder
   hand.type(folder.string());
   hand.click("start/make");
 }
+
+// A hand in a new project beside such a capture, still without photos.
+class SmallCaptureStep : public testing::Test {
+ protected:
+  SmallCaptureStep() { make_project_by_hand(hand, capture.scratch / "oak"); }
+
+  Workspace& workspace() { return hand.workspace(); }
+  static void expect_told(const Notices& notices, const std::string& words) {
+    using testing::Contains, testing::Field, testing::HasSubstr;
+    EXPECT_THAT(notices, Contains(Field(&Notice::text, HasSubstr(words))));
+  }
+
+  const SmallCapture capture;
+  Hand hand;
+};
 
 }  // namespace bosk

@@ -46,6 +46,7 @@ void draw_head(std::span<const Column> shown) {
 
 void draw_difference(const PhotoDifferences& differences, const std::string& name) {
   const auto found = differences.by_name.find(name);
+  if (differences.by_name.empty()) return ImGui::TextDisabled("waits");
   if (found == differences.by_name.end()) return ImGui::TextDisabled("no matte");
   const PhotoResidual& residual = found->second;
   if (differences.has_colour && std::isfinite(residual.psnr_db)) {

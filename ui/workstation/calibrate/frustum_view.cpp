@@ -132,7 +132,8 @@ std::string picture_at(const Scene& scene, const std::vector<Frustum>& frusta,
 
 glm::dvec2 vector_of(const ImVec2& point) { return {double(point.x), double(point.y)}; }
 
-void hear_mouse(CalibrateStepState& state, const std::vector<Camera>& cameras, double height) {
+void hear_view(Workspace& workspace, const std::vector<Camera>& cameras, double height) {
+  CalibrateStepState& state = workspace.calibrate;
   const ImGuiIO& io = ImGui::GetIO();
   const glm::dvec2 delta = vector_of(io.MouseDelta);
   const bool left = ImGui::IsItemActive() && ImGui::IsMouseDragging(0, kClickPx);
@@ -147,7 +148,7 @@ void hear_mouse(CalibrateStepState& state, const std::vector<Camera>& cameras, d
     state.through.clear();
     state.view = nearer(state.view, double(io.MouseWheel));
   }
-  if (ImGui::IsKeyPressed(kKeyHome) && !io.WantTextInput) {
+  if (workspace.input.pressed(kKeyHome) && !io.WantTextInput) {
     state.through.clear();
     state.view = overview_of(cameras, middle_of(cameras));
   }
@@ -189,7 +190,7 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
   scene.most = {scene.least.x + size.x, scene.least.y + size.y};
   ImGui::InvisibleButton("view", size, 7);  // all three buttons
   mark("calibrate/view");
-  hear_mouse(state, cameras, double(size.y));
+  hear_view(workspace, cameras, double(size.y));
   scene.eye = eye_of_scene(state, cameras, vector_of(size));
 
   const glm::dvec3 middle = middle_of(cameras);

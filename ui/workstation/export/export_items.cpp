@@ -131,7 +131,7 @@ ExportItem pictures_item(Workspace& workspace) {
   item.usual = "pictures";
   item.obstacle = obstacle_without_package(workspace);
   if (item.obstacle.empty()) item.obstacle = obstacle_without(workspace, "view");
-  item.size = about(estimated_picture_bytes(views_of(workspace), coverage(workspace)));
+  item.size = about(estimated_rgba_bytes(views_of(workspace), coverage(workspace)));
   item.files = [&workspace](const fs::path& path) { return pictures_in(workspace, path); };
   item.start = [&workspace](const fs::path& path) {
     return start(
@@ -192,7 +192,7 @@ ExportItem report_item(Workspace& workspace) {
                  "th photo, which takes as long as making the package";
   }
   item.usual = "report";
-  item.obstacle = obstacle_to(workspace, "pack");
+  item.obstacle = scored ? obstacle_to(workspace, "pack") : obstacle_to_scoring(workspace);
   const std::size_t photos = workspace.capture ? workspace.capture->photos.size() : 0;
   item.size =
       about(estimated_report_bytes(views_of(workspace), photos / std::size_t(held_out.every)));
@@ -223,7 +223,7 @@ ExportItem mattes_item(Workspace& workspace) {
   item.usual = "mattes";
   item.obstacle = obstacle_without(workspace, "matte");
   if (item.obstacle.empty()) item.obstacle = obstacle_without(workspace, "view");
-  item.size = about(estimated_matte_bytes(views_of(workspace), coverage(workspace)));
+  item.size = about(estimated_rgba_bytes(views_of(workspace), coverage(workspace)));
   item.files = [&workspace](const fs::path& path) { return pictures_in(workspace, path); };
   item.start = [&workspace](const fs::path& path) {
     return start(workspace, "Writing mattes", "mattes",

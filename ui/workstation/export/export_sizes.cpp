@@ -13,17 +13,6 @@ constexpr double kBytesOfSheet = 1.3;   // a contact sheet's cells
 constexpr double kBytesOfPage = 1.5e4;  // tables and settings
 constexpr double kBytesOfFile = 100.0;
 
-double rgba_bytes(const Photos& views, const Coverage& coverage) {
-  const double a_pixel = coverage.tree * kBytesOfTree + coverage.edges * kBytesOfEdge +
-                         (1.0 - coverage.tree) * kBytesOfClear;
-  double bytes = 0.0;
-  for (const Photo& view : views) {
-    const Lens& lens = view.original_camera.lens;
-    bytes += kBytesOfFile + a_pixel * double(lens.width_px) * double(lens.height_px);
-  }
-  return bytes;
-}
-
 }  // namespace
 
 Coverage coverage_of(const Mattes& mattes) {
@@ -41,12 +30,15 @@ Coverage coverage_of(const Mattes& mattes) {
   return pixels > 0.0 ? Coverage{tree / pixels, edges / pixels} : Coverage{};
 }
 
-std::size_t estimated_matte_bytes(const Photos& views, const Coverage& coverage) {
-  return std::size_t(rgba_bytes(views, coverage));
-}
-
-std::size_t estimated_picture_bytes(const Photos& views, const Coverage& coverage) {
-  return std::size_t(rgba_bytes(views, coverage));
+std::size_t estimated_rgba_bytes(const Photos& views, const Coverage& coverage) {
+  const double a_pixel = coverage.tree * kBytesOfTree + coverage.edges * kBytesOfEdge +
+                         (1.0 - coverage.tree) * kBytesOfClear;
+  double bytes = 0.0;
+  for (const Photo& view : views) {
+    const Lens& lens = view.original_camera.lens;
+    bytes += kBytesOfFile + a_pixel * double(lens.width_px) * double(lens.height_px);
+  }
+  return std::size_t(bytes);
 }
 
 std::size_t estimated_turntable_bytes(int frames, const glm::ivec2& size_px) {

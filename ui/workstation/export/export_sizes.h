@@ -16,10 +16,9 @@ struct Coverage {
 // Of every fourth pixel of every fourth row: for estimates.
 Coverage coverage_of(const Mattes& mattes);
 
-// Estimates of what files will take, in bytes, before they are made; right to a factor of two for
-// trees in leaf.
-std::size_t estimated_matte_bytes(const Photos& views, const Coverage& coverage);
-std::size_t estimated_picture_bytes(const Photos& views, const Coverage& coverage);
+// Estimates of what files will take, in bytes, before they are made; right to a factor of three
+// for trees in leaf. The first is of mattes or pictures in the photos' own pixels.
+std::size_t estimated_rgba_bytes(const Photos& views, const Coverage& coverage);
 std::size_t estimated_turntable_bytes(int frames, const glm::ivec2& size_px);
 std::size_t estimated_report_bytes(const Photos& views, std::size_t scored);
 std::size_t estimated_camera_bytes(std::size_t cameras);

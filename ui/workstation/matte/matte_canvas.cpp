@@ -4,18 +4,11 @@
 
 #include "core/base/error.h"
 #include "core/project/imported_mattes.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
 namespace {
-
-const std::vector<Stroke>& strokes_in_project(const Workspace& workspace,
-                                              const std::string& photo) {
-  static const std::vector<Stroke> none;
-  const Strokes& all = workspace.project().strokes;
-  const auto found = all.find(photo);
-  return found == all.end() ? none : found->second;
-}
 
 const Photo* find_photo(const ImportedPhotos& imported, const std::string& name) {
   for (const Photo& photo : imported.photos) {
@@ -112,7 +105,7 @@ void follow_project(Workspace& workspace) {
   const bool first = !canvas.seen_session;
   canvas.seen_session = revision;
   const Photo& photo = canvas.ready->full;
-  const std::vector<Stroke>& wanted = strokes_in_project(workspace, canvas.photo);
+  const std::vector<Stroke>& wanted = strokes_on(workspace, canvas.photo);
   PixelBox box = first ? whole_of(canvas) : changed_box(canvas.painted, wanted, photo);
   if (first) canvas.strokes = {photo.srgb.width(), photo.srgb.height(), kNoStroke};
   canvas.painted = wanted;
@@ -123,13 +116,6 @@ void follow_project(Workspace& workspace) {
   paint_strokes(all, photo, box, canvas.strokes);
   canvas.dirty = around(canvas.dirty, box);
   ++canvas.strokes_revision;
-}
-
-std::string options_text(const Workspace& workspace) {
-  MatteOptions options = workspace.project().recipe.matte;
-  std::string text;
-  for (const Option& option : describe(options)) text += value_text(option) + " ";
-  return text;
 }
 
 void start_live(Workspace& workspace, const LiveSource& source) {
@@ -155,8 +141,9 @@ void start_live(Workspace& workspace, const LiveSource& source) {
 // While a stroke is drawn, live mattes follow one after the other; its end replaces the last.
 void follow_strokes(Workspace& workspace) {
   MatteCanvas& canvas = workspace.matte.canvas;
+  MatteOptions options = workspace.project().recipe.matte;
   const LiveSource source{canvas.strokes_revision, workspace.matte.review.revision,
-                          options_text(workspace)};
+                          values_text(describe(options))};
   if (source == canvas.live_asked) return;
   if (workspace.matte.in_hand && workspace.jobs.is_open(canvas.live_job)) return;
   start_live(workspace, source);
@@ -181,6 +168,7 @@ CanvasLook look_of(const Workspace& workspace, const Image<glm::vec4>*& matte) {
 
 void follow_canvas(Workspace& workspace) {
   MatteStepState& step = workspace.matte;
+  if (step.canvas.photo != step.photo) keep_stroke_in_hand(workspace);  // on the photo it is on
   const auto& imported = workspace.results.imported;
   if (!imported || imported->photos.empty()) return;
   if (!find_photo(*imported, step.photo)) step.photo = imported->photos.front().name;
@@ -190,6 +178,13 @@ void follow_canvas(Workspace& workspace) {
   if (!step.canvas.ready) return;
   follow_project(workspace);
   follow_strokes(workspace);
+}
+
+const std::vector<Stroke>& strokes_on(const Workspace& workspace, const std::string& photo) {
+  static const std::vector<Stroke> none;
+  const Strokes& all = workspace.project().strokes;
+  const auto found = all.find(photo);
+  return found == all.end() ? none : found->second;
 }
 
 const Photo* photo_on_canvas(const Workspace& workspace) {

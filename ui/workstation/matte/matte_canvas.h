@@ -65,6 +65,8 @@ struct MatteCanvas {
 // live matte where one is due. Once a frame.
 void follow_canvas(Workspace& workspace);
 
+// What the project has drawn on a photo.
+const std::vector<Stroke>& strokes_on(const Workspace& workspace, const std::string& photo);
 // The photo's working pixels; null where nothing is imported.
 const Photo* photo_on_canvas(const Workspace& workspace);
 // The matte in view and what it is.

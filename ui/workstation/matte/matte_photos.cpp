@@ -6,6 +6,7 @@
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/photos/photo_shelf.h"
+#include "ui/workstation/photos/photo_words.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -13,11 +14,6 @@ namespace {
 
 constexpr float kThumbnailEms = 3.2f, kListEms = 22.0f, kSheetEms = 13.0f;
 constexpr double kDoubtful = 1.3;  // of the median: worth a look
-
-std::size_t strokes_on(const Workspace& workspace, const std::string& photo) {
-  const auto found = workspace.project().strokes.find(photo);
-  return found == workspace.project().strokes.end() ? 0 : found->second.size();
-}
 
 // A photo of the review in a view, as delivered.
 Texture small_texture(Workspace& workspace, const SmallPhoto& photo, MatteView view) {
@@ -67,8 +63,7 @@ void draw_doubt(const Workspace& workspace, const std::string& photo, double med
 }
 
 std::string stroke_words(std::size_t count) {
-  if (count == 0) return "";
-  return std::to_string(count) + (count == 1 ? " stroke" : " strokes");
+  return count == 0 ? std::string() : count_of(count, "stroke");
 }
 
 void draw_row(Workspace& workspace, const std::string& name, double median) {
@@ -89,7 +84,7 @@ void draw_row(Workspace& workspace, const std::string& name, double median) {
   ImGui::SetCursorScreenPos({at.x + side + 0.5f * ImGui::GetFontSize(), at.y});
   ImGui::BeginGroup();
   ImGui::TextUnformatted(name.c_str());
-  const std::string strokes = stroke_words(strokes_on(workspace, name));
+  const std::string strokes = stroke_words(strokes_on(workspace, name).size());
   if (!strokes.empty()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", strokes.c_str());
@@ -120,7 +115,7 @@ void draw_cell(Workspace& workspace, const SmallPhoto& photo, double median, flo
   }
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + side);
   ImGui::TextUnformatted(
-      (photo.name + "  " + stroke_words(strokes_on(workspace, photo.name))).c_str());
+      (photo.name + "  " + stroke_words(strokes_on(workspace, photo.name).size())).c_str());
   const MatteDoubt* doubt = doubt_of(workspace, photo.name);
   if (doubt && doubt->doubt > kDoubtful * median) {
     badge(Tone::note, "look here");
@@ -159,7 +154,7 @@ void draw_matte_sheet(Workspace& workspace) {
     if (!photo) continue;
     ImGui::TableNextColumn();
     draw_cell(workspace, *photo, median, side);
-    if (step.sheet == false) break;  // one was opened
+    if (!step.sheet) break;  // one was opened
   }
   ImGui::EndTable();
 }

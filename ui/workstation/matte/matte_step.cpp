@@ -2,14 +2,19 @@
 
 #include <imgui.h>
 
+#include "core/base/error.h"
+#include "core/base/system_error.h"
 #include "core/image/orientation.h"
+#include "core/photo/decode.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
+#include "ui/workstation/capture_files.h"
 #include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/photos/photo_shelf.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr float kToolsEms = 20.0f;
@@ -100,7 +105,60 @@ void draw_main(Workspace& workspace) {
                                        : "The photos could not be read; see the jobs below.");
 }
 
+// What is wrong with a matte; empty: nothing.
+std::string trouble_with_matte(const fs::path& file, const DecodeLimits& limits,
+                               Progress& progress) {
+  progress.begin("looking at a matte", 1);
+  try {
+    decode_matte(file, limits, progress);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input) throw;
+    return error.what();
+  }
+  return {};
+}
+
+void install_mattes(Workspace& workspace, const fs::path& folder, std::size_t count,
+                    const std::string& trouble) {
+  MatteStepState& step = workspace.matte;
+  const Project& project = workspace.project();
+  step.taking = {};
+  step.said.clear();
+  if (!trouble.empty()) {
+    step.said.push_back({Tone::bad, trouble + ". A folder that is dropped here is taken for mattes "
+                                              "where its files are called like the photos; photos "
+                                              "are dropped on step Photos."});
+    return;
+  }
+  const std::string words = std::to_string(count) + " of " + std::to_string(project.photos.size());
+  const bool again = project.absolute(project.mattes) == folder;
+  const bool done = done_or_told(step.said, [&] {
+    if (again) return reread_files(workspace);
+    edit(workspace, files_edit(project, FileKind::mattes, project.relative(folder)));
+  });
+  if (!done) return;
+  step.said.push_back({Tone::good, "Took " + printable(folder.filename().string()) +
+                                       " for the project's mattes: " + words +
+                                       " photos have one. Undo goes back to strokes."});
+}
+
 }  // namespace
+
+void take_mattes(Workspace& workspace, const std::vector<fs::path>& files) {
+  MatteStepState& step = workspace.matte;
+  step.said = {{Tone::busy, "Looking whether these are mattes."}};
+  step.taking = {};
+  step.taking.id = workspace.jobs.start(
+      "Looking at mattes",
+      [file = files.front(), limits = decode_limits(workspace.project().recipe.photo)](
+          Progress& progress) { return trouble_with_matte(file, limits, progress); },
+      [&workspace, project = workspace.project().folder, folder = files.front().parent_path(),
+       count = files.size()](const std::string& trouble) {
+        const bool same = workspace.session && workspace.project().folder == project;
+        if (same) install_mattes(workspace, folder, count, trouble);
+      },
+      Lane::interactive, "matte/take");
+}
 
 std::string strokes_obstacle(const Workspace& workspace) {
   if (!workspace.capture) return "strokes can be drawn once photos and their cameras are there";
@@ -115,6 +173,10 @@ int orientation_on_canvas(const Workspace& workspace) {
 }
 
 void draw_matte_step(Workspace& workspace) {
+  MatteStepState& step = workspace.matte;
+  if (was_stopped(step.taking, workspace.jobs)) {
+    step.said = {{Tone::note, "That was stopped; the project's mattes are as they were."}};
+  }
   follow_photos(workspace);
   follow_import(workspace);
   follow_mattes(workspace);
@@ -122,11 +184,12 @@ void draw_matte_step(Workspace& workspace) {
   follow_hand(workspace);
   hear_matte_keys(workspace);
   ImGui::BeginChild("matte tools", {kToolsEms * ImGui::GetFontSize(), 0.0f});
+  draw_notices(step.said);
   draw_matte_tools(workspace);
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("matte main", {0.0f, 0.0f}, false,
-                    workspace.matte.sheet ? 0 : ImGuiWindowFlags_NoScrollWithMouse);
+                    step.sheet ? 0 : ImGuiWindowFlags_NoScrollWithMouse);
   draw_main(workspace);
   ImGui::EndChild();
 }

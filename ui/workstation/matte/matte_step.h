@@ -1,14 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/widgets/image_view.h"
 #include "ui/workstation/matte/matte_brush.h"
 #include "ui/workstation/matte/matte_canvas.h"
 #include "ui/workstation/matte/matte_review.h"
+#include "ui/workstation/notice.h"
+#include "ui/workstation/watched_job.h"
 
 namespace bosk {
 
@@ -33,12 +37,18 @@ struct MatteStepState {
   std::optional<BrushResize> resizing;
   MatteCanvas canvas;
   MatteReview review;
+  Notices said;                               // of finished mattes
+  WatchedJob taking;                          // looks whether files are mattes
   std::optional<std::uint64_t> asked_import;  // session's revision when photos were last asked for
   std::optional<std::uint64_t> kept_up_at;    // the same, when "keep up" last started the mattes
   int kept_up_job = 0;                        // that it started
 };
 
 void draw_matte_step(Workspace& workspace);
+
+// Makes the folder of these files the project's mattes, in one edit, once a job saw that the first
+// is a matte. What came of it is told in the step.
+void take_mattes(Workspace& workspace, const std::vector<std::filesystem::path>& files);
 
 // Parts of it, each in its own file.
 void draw_matte_tools(Workspace& workspace);

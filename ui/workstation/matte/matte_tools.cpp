@@ -6,6 +6,7 @@
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
+#include "ui/workstation/matte/matte_paint.h"
 #include "ui/workstation/options_panel.h"
 #include "ui/workstation/workspace.h"
 
@@ -92,12 +93,8 @@ void draw_run(Workspace& workspace) {
     step.sheet = step.doubt_first = true;
     if (step.view == MatteView::photo) step.view = MatteView::on_black;
   }
-  const std::size_t strokes = [&] {
-    const auto found = workspace.project().strokes.find(step.photo);
-    return found == workspace.project().strokes.end() ? 0 : found->second.size();
-  }();
   if (button("matte/clear", "Remove all strokes of this photo", "undo brings them back",
-             strokes == 0 ? "there are none" : "")) {
+             strokes_on(workspace, step.photo).empty() ? "there are none" : "")) {
     edit(workspace, clear_edit(workspace.project(), step.photo));
   }
 }
@@ -139,6 +136,7 @@ void hear_matte_keys(Workspace& workspace) {
         step.view = view_after(step.view);
         break;
       case 'S':
+        keep_stroke_in_hand(workspace);  // the sheet would not hear its end
         step.sheet = !step.sheet;
         break;
       case kKeyPageDown:
@@ -164,6 +162,9 @@ void draw_matte_tools(Workspace& workspace) {
   draw_matte_photos(workspace);
   if (ImGui::CollapsingHeader("Options")) draw_stage_options(workspace, "matte");
   mark("matte/options");
+  if (workspace.project().mattes.empty()) {
+    paragraph(Tone::muted, "Finished mattes, called like the photos? Drop their folder here.");
+  }
 }
 
 }  // namespace bosk

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/image/orientation.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"

@@ -1,5 +1,7 @@
 #include "ui/workstation/photos/photo_differences.h"
 
+#include <algorithm>
+
 #include "core/radiance/volume_snapshot.h"
 #include "ui/workstation/workspace.h"
 
@@ -15,6 +17,12 @@ const char* volume_stage(const Workspace& workspace) {
 ContentHash key_of(const Workspace& workspace, const std::string& stage) {
   const auto made = workspace.made.find(stage);
   return made == workspace.made.end() ? ContentHash{} : made->second;
+}
+
+// Not while mattes were made anew and what belongs to the volume was not.
+bool are_of_the_same_photos(const Photos& views, const Mattes& mattes) {
+  return std::equal(views.begin(), views.end(), mattes.begin(), mattes.end(),
+                    [](const Photo& view, const Matte& matte) { return view.name == matte.name; });
 }
 
 std::map<std::string, PhotoResidual> compared(const Results& results, Progress& progress) {
@@ -37,6 +45,9 @@ std::string obstacle_to_differences(const Workspace& workspace) {
   if (!results.mattes || !results.views) {
     return "nothing to compare yet: once there are mattes and a volume (steps Matte and Volume), "
            "each photo's difference from it stands here";
+  }
+  if (!are_of_the_same_photos(*results.views, *results.mattes)) {
+    return "the mattes are of other photos than the volume; make the volume again (step Volume)";
   }
   if (!results.opacity && !results.radiance) {
     return "nothing to compare yet: once there is a volume (step Volume), each photo's difference "

@@ -24,16 +24,17 @@ void install(PhotoShelf& shelf, Look look) {
   }
 }
 
-// Where the limits changed, photos that they may concern are looked at anew.
-void follow_limits(PhotoShelf& shelf, const PhotoOptions& options) {
+// Where the limits changed, photos that they may concern are looked at anew; whether they did.
+bool follow_limits(PhotoShelf& shelf, const PhotoOptions& options) {
   const std::array<double, 3> limits{options.max_megapixels, options.memory_gib, options.seconds};
-  if (limits == shelf.limits) return;
+  if (limits == shelf.limits) return false;
   shelf.limits = limits;
   std::erase_if(shelf.photos, [&](const auto& entry) {
     const DecodedPhoto& photo = entry.second.facts.decoded;
     const double megapixels = 1e-6 * photo.width_px * photo.height_px;
     return !entry.second.facts.trouble.empty() || megapixels > options.max_megapixels;
   });
+  return true;
 }
 
 void start_look(Workspace& workspace) {
@@ -48,7 +49,6 @@ void start_look(Workspace& workspace) {
   request.cache_folder = project.cache_folder();
   for (const auto& [file, photo] : shelf.photos) request.known[file] = photo.stamp;
   shelf.look_wanted = false;
-  shelf.looked_project = workspace.session->revision() + 1;
   shelf.job.id = workspace.jobs.start(
       "Reading photos",
       [request = std::move(request)](Progress& progress) {
@@ -150,14 +150,13 @@ void follow_photos(Workspace& workspace) {
     shelf.stopped = true;
     ++shelf.revision;
   }
-  const std::uint64_t project = workspace.session->revision() + 1;
-  if (shelf.looked_project != project && !shelf.job.is_at_work()) {
-    shelf.look_wanted = true;
-    shelf.looked_project = project;
-    follow_limits(shelf, workspace.project().recipe.photo);
+  const Project& project = workspace.project();
+  if (!shelf.job.is_at_work()) {
+    const bool other_limits = follow_limits(shelf, project.recipe.photo);
+    if (other_limits || shelf.looked_photos != project.photos) shelf.look_wanted = true;
+    shelf.looked_photos = project.photos;
   }
-  if (shelf.look_wanted && !shelf.stopped && !shelf.job.is_at_work() &&
-      !workspace.project().photos.empty()) {
+  if (shelf.look_wanted && !shelf.stopped && !shelf.job.is_at_work() && !project.photos.empty()) {
     start_look(workspace);
   }
   refresh_rows(workspace);

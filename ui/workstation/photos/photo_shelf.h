@@ -64,7 +64,7 @@ struct PhotoShelf {
   std::size_t to_read = 0;         // photos that were not looked through yet
   std::uint64_t revision = 1;      // raised with every change of the above
   std::uint64_t rows_revision = 0, rows_project = 0, rows_cameras = 0;  // that `rows` were made of
-  std::uint64_t looked_project = 0;  // the project's revision at the last look
+  std::vector<std::filesystem::path> looked_photos;  // the project's at the last look
 };
 
 // Looks through new and changed photos, a few at a time so that whatever else follows the hand gets

@@ -68,7 +68,7 @@ void start(Workspace& workspace) {
   const Results& results = workspace.results;
   if (!results.views || !results.mattes) return;
   state.asked = state.view;
-  state.job = workspace.jobs.start(
+  workspace.jobs.start(
       "Drawing what " + state.view.name + " shows",
       [views = results.views, mattes = results.mattes, imported = results.imported,
        package = results.package, name = state.view.name,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/number_text.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/workspace.h"

@@ -56,7 +56,6 @@ struct CompareState {
   std::shared_ptr<const Evaluation> evaluation;
   std::shared_ptr<const ReadTree> tree;
   ComparedView asked;
-  int job = 0;
   std::uint64_t last_revision = 0;
 };
 

@@ -16,16 +16,6 @@ ContentHash package_key(const Workspace& workspace) {
   return wanted == workspace.wanted.end() ? ContentHash{} : wanted->second;
 }
 
-std::string obstacle_to_scoring(const Workspace& workspace) {
-  const HeldOutState& state = workspace.preview.held_out;
-  const std::string obstacle = obstacle_to(workspace, "pack");
-  if (!obstacle.empty()) return obstacle;
-  if (workspace.jobs.is_open(state.job)) return "scoring is at work";
-  const int photos = int(workspace.capture->photos.size());
-  if (state.every > photos) return "there are only " + std::to_string(photos) + " photos";
-  return {};
-}
-
 void draw_row(const std::string& name, const ViewScore& score) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(name.c_str());
@@ -64,6 +54,19 @@ void draw_table(Workspace& workspace, const Evaluation& evaluation) {
 bool is_held_out_current(const Workspace& workspace) {
   const HeldOutState& state = workspace.preview.held_out;
   return state.evaluation && state.of_package == package_key(workspace);
+}
+
+std::string obstacle_to_scoring(const Workspace& workspace) {
+  const HeldOutState& state = workspace.preview.held_out;
+  const std::string obstacle = obstacle_to(workspace, "pack");
+  if (!obstacle.empty()) return obstacle;
+  if (workspace.jobs.is_open(state.job)) return "scoring is at work";
+  const int photos = int(workspace.capture->photos.size());
+  if (state.every > photos) {
+    return "there are only " + std::to_string(photos) +
+           " photos: choose a smaller number in Preview, Scores";
+  }
+  return {};
 }
 
 void start_held_out_scoring(Workspace& workspace) {

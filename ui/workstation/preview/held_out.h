@@ -21,6 +21,9 @@ struct HeldOutState {
 // Whether the newest scores are of the project as it is.
 bool is_held_out_current(const Workspace& workspace);
 
+// Why they can't be made now; empty when they can.
+std::string obstacle_to_scoring(const Workspace& workspace);
+
 // Leaves every n-th photo out of all stages, as `bosk evaluate --hold-out` does, in a job.
 void start_held_out_scoring(Workspace& workspace);
 

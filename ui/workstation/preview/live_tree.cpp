@@ -67,13 +67,15 @@ void frame_tree(LiveTreeState& state, const glm::ivec2& size_px) {
   state.framed = true;
 }
 
-void hear(LiveTreeState& state, const glm::ivec2& size_px) {
+void hear(Workspace& workspace, const glm::ivec2& size_px) {
+  LiveTreeState& state = workspace.preview.live;
   const Terrain& terrain = state.scene->terrain;
   if (ImGui::IsItemHovered()) state.camera = zoomed_by_wheel(state.camera, terrain);
   if (ImGui::IsItemActive()) {
     state.camera = moved_by_drag(state.camera, terrain, double(size_px.y), view_angle(state.look));
   }
-  const bool home = ImGui::IsItemHovered() && ImGui::IsKeyPressed(kKeyHome);
+  const bool home =
+      ImGui::IsItemHovered() && workspace.input.pressed(kKeyHome) && !ImGui::GetIO().WantTextInput;
   if (home || !state.framed) frame_tree(state, size_px);
 }
 
@@ -184,7 +186,7 @@ void draw_picture(Workspace& workspace, const ImVec2& area) {
   const ImVec2 most(least.x + area.x, least.y + area.y);
   ImGui::InvisibleButton("tree", area, 7);  // all three buttons
   mark("preview/tree");
-  hear(state, size_px);
+  hear(workspace, size_px);
   const PictureKey key = picture_key(state.camera, size_px, state.look, ImGui::GetTime());
   if (workspace.tree_pictures.draw) {
     draw_fast(workspace, key);

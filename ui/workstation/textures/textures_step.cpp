@@ -121,17 +121,24 @@ std::uint64_t textures_revision(const Workspace& workspace) {
 void follow_rows(Workspace& workspace) {
   TexturesStepState& state = workspace.textures;
   const auto billboards = workspace.results.billboards;
-  if (!billboards || workspace.jobs.is_open(state.rows_job)) return;
+  if (!billboards) return;
   const bool packed = is_made_from(workspace, "pack", "texture");
   const auto package = packed ? workspace.results.package : nullptr;
   if (state.counted == billboards && state.counted_package == package) return;
-  if (state.counted != billboards) state.cell = -1;
+  if (state.counted !=
+      billboards) {  // rows of others would name levels and cells that are not here
+    state.cell = -1;
+    state.rows.clear();
+  }
   state.counted = billboards;
   state.counted_package = package;
-  state.rows_job = workspace.jobs.start(
+  workspace.jobs.start(
       "Counting textures", [=](Progress&) { return level_rows(*billboards, package.get()); },
-      [&state](std::vector<LevelRow> rows) { state.rows = std::move(rows); }, Lane::interactive,
-      "textures/rows");
+      [&state, billboards, package](std::vector<LevelRow> rows) {
+        const bool same = state.counted == billboards && state.counted_package == package;
+        if (same) state.rows = std::move(rows);
+      },
+      Lane::interactive, "textures/rows");
 }
 
 void draw_textures_step(Workspace& workspace) {

@@ -25,7 +25,6 @@ struct TexturesStepState {
   std::vector<LevelRow> rows;  // of the billboards and the package below
   std::shared_ptr<const Billboards> counted;
   std::shared_ptr<const std::vector<std::byte>> counted_package;
-  int rows_job = 0;
   int level = -1;  // place among the billboards' levels; -1: the finest with several views
   int cell = -1;   // place among the level's cells; -1: its fullest
   int view = 0;    // of the sheet that cells are picked from

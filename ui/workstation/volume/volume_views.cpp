@@ -17,9 +17,8 @@ constexpr double kHighest = 1.5;           // elevation, just below the zenith
 
 // Draws the view on a worker when it isn't the one shown; one at a time, so that a moving hand
 // always sees the newest that could be made.
-void keep_drawn(Workspace& workspace, VolumePicture VolumeStepState::*member,
-                const VolumeView& wanted, const Camera& camera, const std::string& key) {
-  VolumePicture& picture = workspace.volume.*member;
+void keep_drawn(Workspace& workspace, VolumePicture& picture, const VolumeView& wanted,
+                const Camera& camera, const std::string& key) {
   if (picture.shown == wanted && picture.revision > 0) return;
   if (workspace.jobs.is_open(picture.job)) return;
   const int width_px = std::max(
@@ -128,7 +127,7 @@ void draw_orbit(Workspace& workspace, const ImVec2& area) {
   const int width_px = std::max(1, int(double(wanted.height_px) * double(area.x) / double(area.y)));
   const Camera camera = orbit_camera(state.look->volume, wanted.azimuth, wanted.elevation,
                                      wanted.distance, width_px, wanted.height_px);
-  keep_drawn(workspace, &VolumeStepState::orbit_picture, wanted, camera, "volume/orbit");
+  keep_drawn(workspace, state.orbit_picture, wanted, camera, "volume/orbit");
   draw_fitted(texture_of(workspace, "volume/orbit", state.orbit_picture), least, area,
               ground_colour());
 }
@@ -160,11 +159,12 @@ Image<glm::u8vec4> photo_pixels(const Workspace& workspace, const std::string& n
 void draw_photo(Workspace& workspace, const std::string& name, const glm::dvec2& size_px,
                 const ImVec2& area) {
   VolumeStepState& state = workspace.volume;
-  const auto source = workspace.results.imported ? std::uint64_t(2)
-                      : workspace.results.mattes ? std::uint64_t(1)
-                                                 : std::uint64_t(0);
-  const Texture texture = workspace.pictures.show("volume/photo/" + name, source,
-                                                  [&] { return photo_pixels(workspace, name); });
+  const char* source = workspace.results.imported ? "photo" : "matte";
+  const auto made = workspace.made.find(source);
+  const std::uint64_t revision = made == workspace.made.end() ? 0 : made->second.low;
+  const Texture texture =
+      workspace.pictures.show(std::string("volume/") + source + "/" + name, revision,
+                              [&] { return photo_pixels(workspace, name); });
   draw_image_view("volume/photo", state.photo_view, texture, size_px, area);
 }
 
@@ -175,7 +175,7 @@ void draw_rendering(Workspace& workspace, const Camera& camera, const glm::dvec2
   wanted.look = state.look_revision;
   wanted.photo = state.photo;
   wanted.height_px = std::min(camera.lens.height_px, kTallest_px);
-  keep_drawn(workspace, &VolumeStepState::photo_picture, wanted, camera, "volume/rendering");
+  keep_drawn(workspace, state.photo_picture, wanted, camera, "volume/rendering");
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + area.x, least.y + area.y},
                                             ground_colour());
@@ -196,12 +196,19 @@ void draw_comparison(Workspace& workspace, const ImVec2& area) {
   draw_rendering(workspace, camera, size_px, half);
 }
 
+// As a format that shows just this text.
+std::string format_of(const std::string& text) {
+  std::string format;
+  for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return format;
+}
+
 void draw_photo_choice(VolumeStepState& state) {
   const int photos = int(state.look->cameras.size());
   if (photos == 0) return;
   ImGui::SetNextItemWidth(12.0f * ImGui::GetFontSize());
   ImGui::SliderInt("##photo", &state.photo, 0, photos - 1,
-                   state.look->cameras[std::size_t(state.photo)].name.c_str(),
+                   format_of(state.look->cameras[std::size_t(state.photo)].name).c_str(),
                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   mark("volume/photo_choice");
   ImGui::SameLine();

@@ -12,20 +12,16 @@ namespace bosk {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
-using testing::Field;
 using testing::HasSubstr;
 
-class CalibrateStep : public testing::Test {
+class CalibrateStep : public SmallCaptureStep {
  protected:
   CalibrateStep() {
-    make_project_by_hand(hand, capture.scratch / "oak");
     hand.drop({capture.photos()});
     EXPECT_TRUE(hand.settle());
     hand.click("step/calibrate");
   }
 
-  Workspace& workspace() { return hand.workspace(); }
   CalibrateStepState& state() { return hand.workspace().calibrate; }
   void type_cameras(const fs::path& path) {
     hand.click("calibrate/path");
@@ -33,12 +29,7 @@ class CalibrateStep : public testing::Test {
     hand.click("calibrate/import");
     ASSERT_TRUE(hand.settle());
   }
-  void expect_said(const std::string& words) {
-    EXPECT_THAT(state().said, Contains(Field(&Notice::text, HasSubstr(words))));
-  }
-
-  const SmallCapture capture;
-  Hand hand;
+  void expect_said(const std::string& words) { expect_told(state().said, words); }
 };
 
 TEST_F(CalibrateStep, TypedCamerasAreMatchedAndImportedInOneEdit) {
@@ -177,6 +168,18 @@ TEST_F(ImportedCameras, AWorldOnItsHeadIsTold) {
 TEST_F(ImportedCameras, ThereIsNothingToCompareBeforeAVolume) {
   EXPECT_THAT(obstacle_to_differences(workspace()), HasSubstr("nothing to compare yet"));
   EXPECT_TRUE(state().differences.by_name.empty());
+}
+
+TEST_F(ImportedCameras, MattesOfOtherPhotosThanTheVolumesAreNotCompared) {
+  const auto photo_named = [](const std::string& name) {
+    Photo photo;
+    photo.name = name;
+    return photo;
+  };
+  workspace().results.views =
+      std::make_shared<const Photos>(Photos{photo_named("000"), photo_named("001")});
+  workspace().results.mattes = std::make_shared<const Mattes>(Mattes{{"001", {}}});
+  EXPECT_THAT(obstacle_to_differences(workspace()), HasSubstr("other photos than the volume"));
 }
 
 }  // namespace

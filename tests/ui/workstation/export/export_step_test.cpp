@@ -122,8 +122,8 @@ TEST_F(ExportStep, LicenceAndCreditAreEditedAndGoIntoThePackage) {
 // Estimates are there to tell a megabyte from ten; a factor of three is what they keep to on trees
 // from these to one of 0.7 megapixel photos.
 TEST_F(ExportStep, MattesLieInThePhotosPixelsAndTheirSizeWasEstimatedWithinAFactorOfThree) {
-  const std::size_t estimate = estimated_matte_bytes(*hand.workspace().results.views,
-                                                     coverage_of(*hand.workspace().results.mattes));
+  const std::size_t estimate = estimated_rgba_bytes(*hand.workspace().results.views,
+                                                    coverage_of(*hand.workspace().results.mattes));
   write("mattes");
   const fs::path folder = project.folder / "mattes";
   for (const char* name : {"000.png", "007.png"}) EXPECT_TRUE(fs::exists(folder / name)) << name;

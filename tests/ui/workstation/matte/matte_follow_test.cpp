@@ -117,6 +117,33 @@ TEST_F(MatteFollow, StrokesOfAnotherPhotoStayThere) {
   expect_canvas_is_the_projects();
 }
 
+TEST_F(MatteFollow, ADroppedFolderOfMattesBecomesTheProjectsInOneEdit) {
+  const auto mattes = scratch.path() / "capture" / "mattes";
+  hand.drop({mattes});
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(workspace.step, WorkStep::matte);
+  EXPECT_EQ(workspace.project().photos.size(), 6u);
+  EXPECT_EQ(workspace.project().absolute(workspace.project().mattes), mattes);
+  ASSERT_EQ(workspace.matte.said.size(), 1u);
+  EXPECT_THAT(workspace.matte.said[0].text, HasSubstr("6 of 6 photos"));
+  ASSERT_TRUE(workspace.capture);
+  EXPECT_EQ(workspace.capture->mattes.size(), 6u);
+  hand.key('Z', true);
+  EXPECT_TRUE(workspace.project().mattes.empty());
+}
+
+TEST_F(MatteFollow, ADroppedFolderOfPicturesThatAreNoMattesIsToldAndChangesNothing) {
+  const auto pictures = scratch.path() / "pictures";
+  std::filesystem::copy(scratch.path() / "capture" / "photos", pictures);
+  hand.drop({pictures});
+  ASSERT_TRUE(hand.settle());
+  EXPECT_TRUE(workspace.project().mattes.empty());
+  EXPECT_EQ(workspace.project().photos.size(), 6u);
+  ASSERT_EQ(workspace.matte.said.size(), 1u);
+  EXPECT_THAT(workspace.matte.said[0].text, HasSubstr("000"));
+  EXPECT_EQ(workspace.matte.said[0].tone, Tone::bad);
+}
+
 TEST(MatteStepWithFinishedMattes, SaysThatStrokesAreNotUsed) {
   const ScratchFolder scratch;
   copy_matte_project(scratch.path());

@@ -12,7 +12,15 @@ namespace {
 
 using testing::HasSubstr;
 
-class MatteStep : public MatteHand {};
+class MatteStep : public MatteHand {
+ protected:
+  // Two places with the button held.
+  void begin_stroke() {
+    hand.move_to(on_screen({30, 40}));
+    hand.press();
+    hand.move_to(on_screen({60, 40}));
+  }
+};
 
 TEST_F(MatteStep, ReadsThePhotosByItself) {
   EXPECT_EQ(state_of(workspace, "photo"), StageState::current);
@@ -197,9 +205,7 @@ TEST_F(MatteStep, RemovingAllStrokesIsOneUndoableStep) {
 }
 
 TEST_F(MatteStep, LosingTheKeyboardKeepsTheStrokeInHand) {
-  hand.move_to(on_screen({30, 40}));
-  hand.press();
-  hand.move_to(on_screen({60, 40}));
+  begin_stroke();
   workspace.input.focus_lost = true;
   hand.frame();
   ASSERT_EQ(strokes_of("000").size(), 1u);
@@ -210,19 +216,36 @@ TEST_F(MatteStep, LosingTheKeyboardKeepsTheStrokeInHand) {
 }
 
 TEST_F(MatteStep, LeavingTheStepKeepsTheStrokeInHand) {
-  hand.move_to(on_screen({30, 40}));
-  hand.press();
-  hand.move_to(on_screen({60, 40}));
+  begin_stroke();
   hand.key('4', true);
   EXPECT_EQ(workspace.step, WorkStep::volume);
   EXPECT_EQ(strokes_of("000").size(), 1u);
   hand.release();
 }
 
+TEST_F(MatteStep, GoingToAnotherPhotoKeepsTheStrokeInHandOnItsOwn) {
+  begin_stroke();
+  hand.key(kKeyPageDown);
+  hand.release();
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(workspace.matte.canvas.photo, "001");
+  EXPECT_EQ(strokes_of("000").size(), 1u);
+  EXPECT_TRUE(strokes_of("001").empty());
+}
+
+TEST_F(MatteStep, ShowingTheSheetKeepsTheStrokeInHand) {
+  begin_stroke();
+  hand.key('S');
+  ASSERT_EQ(strokes_of("000").size(), 1u);
+  hand.release();
+  hand.key('S');
+  hand.frame(2);
+  EXPECT_EQ(strokes_of("000").size(), 1u);
+  EXPECT_EQ(last_stroke().points_px.size(), 2u);
+}
+
 TEST_F(MatteStep, ClosingKeepsTheStrokeInHand) {
-  hand.move_to(on_screen({30, 40}));
-  hand.press();
-  hand.move_to(on_screen({60, 40}));
+  begin_stroke();
   close_project(workspace);
   const Project project = read_project(scratch.path() / "oak");
   ASSERT_EQ(project.strokes.count("000"), 1u);

@@ -15,14 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Contains;
-using testing::Field;
 using testing::HasSubstr;
 
-class PhotosStep : public testing::Test {
+class PhotosStep : public SmallCaptureStep {
  protected:
-  PhotosStep() { make_project_by_hand(hand, capture.scratch / "oak"); }
-
-  Workspace& workspace() { return hand.workspace(); }
   PhotosStepState& state() { return hand.workspace().photos; }
   std::size_t photo_count() { return workspace().project().photos.size(); }
   PhotoRow row(const std::string& name) {
@@ -34,12 +30,7 @@ class PhotosStep : public testing::Test {
     hand.drop(paths);
     ASSERT_TRUE(hand.settle());
   }
-  void expect_said(const std::string& words) {
-    EXPECT_THAT(state().said, Contains(Field(&Notice::text, HasSubstr(words))));
-  }
-
-  const SmallCapture capture;
-  Hand hand;
+  void expect_said(const std::string& words) { expect_told(state().said, words); }
 };
 
 TEST_F(PhotosStep, ATypedFolderAddsItsPhotosInOneEdit) {

@@ -40,6 +40,18 @@ TEST_F(TexturesStep, ALevelIsChosenInTheTable) {
   EXPECT_EQ(state().cell, int(fullest_cell(billboards().levels[1])));
 }
 
+TEST_F(TexturesStep, RowsOfATreeWithMoreLevelsGoWithIt) {
+  bake();
+  ASSERT_GT(billboards().levels.size(), 2u);
+  auto fewer = std::make_shared<Billboards>(billboards());
+  fewer->levels.resize(2);
+  hand.workspace().results.billboards = fewer;
+  hand.frame();
+  EXPECT_LE(state().rows.size(), 2u);  // else a press on another asks for a level that isn't there
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(state().rows.size(), 2u);
+}
+
 TEST_F(TexturesStep, ACellIsChosenByPressingItOnTheSheet) {
   bake();
   const Landmark sheet = hand.at("textures/sheet");
