@@ -1,7 +1,7 @@
 #include <imgui.h>
 
 #include "ui/viewer_state.h"
-#include "ui/workstation/preview/figures_table.h"
+#include "ui/widgets/figures_table.h"
 
 namespace bosk {
 

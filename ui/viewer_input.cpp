@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ui/workstation/calibrate/camera_mouse.h"
+#include "ui/widgets/camera_mouse.h"
 
 namespace bosk {
 namespace {

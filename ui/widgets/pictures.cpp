@@ -9,8 +9,11 @@ constexpr std::uint64_t kFramesKept = 120;  // a picture that is out of sight fo
 
 }  // namespace
 
-Pictures::~Pictures() {
+Pictures::~Pictures() { clear(); }
+
+void Pictures::clear() {
   for (auto& [name, held] : held_) release(held);
+  held_.clear();
 }
 
 void Pictures::release(Held& held) {

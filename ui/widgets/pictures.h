@@ -43,6 +43,8 @@ class Pictures {
                const std::function<Image<glm::u8vec4>()>& make);
   // The newest texture of that name, whatever its revision: to be shown while another is made.
   Texture newest(const std::string& name);
+  // Frees all: what is asked for next has nothing to do with what was.
+  void clear();
   // Frees what nobody asked for lately. Once a frame.
   void end_frame();
   std::size_t size() const { return held_.size(); }

@@ -122,6 +122,7 @@ void close_project(Workspace& workspace) {
   workspace.jobs.cancel_all();
   workspace.session->save();
   workspace.session.reset();
+  workspace.pictures.clear();  // the next project's have the same names
   workspace.capture.reset();
   workspace.results = {};
   workspace.made.clear();
@@ -213,7 +214,7 @@ std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
   const auto needed = stages_up_to(stage);
   const bool needs_mattes = std::count(needed.begin(), needed.end(), "matte") > 0;
   if (needs_mattes && lacks_mattes(*workspace.capture)) {
-    return "paint strokes over the tree and over the background of a photo in step Matte, or name "
+    return "paint strokes over the tree and over the background of a photo in step Matte, or drop "
            "a folder of mattes there";
   }
   return {};

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/image/orientation.h"
+#include "ui/widgets/fitted_picture.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/photos/photo_shelf.h"
@@ -24,20 +24,6 @@ Texture small_texture(Workspace& workspace, const SmallPhoto& photo, MatteView v
                                  revision, [&] {
                                    return picture_of(view, {photo.srgb, photo.matte, no_strokes});
                                  });
-}
-
-// Upright, fitted into a box whose top left is `at`.
-void draw_small(const Texture& texture, int orientation, const ImVec2& at, const ImVec2& box) {
-  if (!texture) return;
-  const glm::ivec2 size = upright_size(texture.size_px, orientation);
-  const float scale = std::min(box.x / float(size.x), box.y / float(size.y));
-  const float width = scale * float(size.x), height = scale * float(size.y);
-  const float x = at.x + 0.5f * (box.x - width), y = at.y + 0.5f * (box.y - height);
-  const auto uv = corner_textures(orientation);
-  const auto corner = [&](std::size_t i) { return ImVec2(uv[i].x, uv[i].y); };
-  ImGui::GetWindowDrawList()->AddImageQuad(texture.id, {x, y}, {x + width, y},
-                                           {x + width, y + height}, {x, y + height}, corner(0),
-                                           corner(1), corner(2), corner(3));
 }
 
 const MatteDoubt* doubt_of(const Workspace& workspace, const std::string& photo) {
@@ -78,8 +64,8 @@ void draw_row(Workspace& workspace, const std::string& name, double median) {
   mark("matte/photo/" + name);
   const ImVec2 next = ImGui::GetCursorScreenPos();
   if (const SmallPhoto* small = small_photo(step.review, name)) {
-    draw_small(small_texture(workspace, *small, MatteView::photo), orientation_of(workspace, name),
-               at, {side, side});
+    draw_fitted(small_texture(workspace, *small, MatteView::photo), at, {side, side},
+                orientation_of(workspace, name));
   }
   ImGui::SetCursorScreenPos({at.x + side + 0.5f * ImGui::GetFontSize(), at.y});
   ImGui::BeginGroup();
@@ -110,8 +96,8 @@ void draw_cell(Workspace& workspace, const SmallPhoto& photo, double median, flo
   }
   tooltip("open " + photo.name);
   if (visible) {
-    draw_small(small_texture(workspace, photo, step.view), orientation_of(workspace, photo.name),
-               at, {side, side});
+    draw_fitted(small_texture(workspace, photo, step.view), at, {side, side},
+                orientation_of(workspace, photo.name));
   }
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + side);
   ImGui::TextUnformatted(

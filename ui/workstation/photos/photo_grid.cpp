@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/widgets/fitted_picture.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/workstation/photos/photo_panels.h"
 #include "ui/workstation/workspace.h"
@@ -13,15 +14,6 @@ constexpr float kTileEms = 12.0f, kPictureEms = 8.5f;
 constexpr float kTextLines = 4.0f;  // name, verdict, two lines of reason
 
 ImVec2 sum(const ImVec2& a, const ImVec2& b) { return {a.x + b.x, a.y + b.y}; }
-
-// The largest place of the texture's shape in the middle of the area.
-void draw_fitted(const Texture& texture, const ImVec2& least, const ImVec2& area) {
-  const float across = area.x / float(texture.size_px.x), down = area.y / float(texture.size_px.y);
-  const float scale = std::min(across, down);
-  const ImVec2 size(scale * float(texture.size_px.x), scale * float(texture.size_px.y));
-  const ImVec2 at(least.x + 0.5f * (area.x - size.x), least.y + 0.5f * (area.y - size.y));
-  ImGui::GetWindowDrawList()->AddImage(texture.id, at, sum(at, size));
-}
 
 // Name, verdict and reason below the picture; what is too long is cut and stands in the tooltip.
 void draw_words(const PhotoRow& row, const ImVec2& at, const ImVec2& most) {
@@ -64,7 +56,7 @@ void draw_tile(Workspace& workspace, const PhotoRow& row, const ImVec2& size) {
   draw_ground(workspace, row, least, most);
   const Texture thumbnail = thumbnail_of(workspace, row.file);
   const ImVec2 picture(size.x - 2.0f * pad, kPictureEms * em);
-  if (thumbnail) draw_fitted(thumbnail, {least.x + pad, least.y + pad}, picture);
+  draw_fitted(thumbnail, {least.x + pad, least.y + pad}, picture);
   draw_words(row, {least.x + pad, least.y + 2.0f * pad + picture.y}, {most.x - pad, most.y - pad});
   ImGui::SetCursorScreenPos({least.x + pad, least.y + pad});
   bool chosen = state.chosen.contains(row.photo);

@@ -11,8 +11,8 @@
 #include "ui/widgets/keys.h"
 #include "ui/widgets/option_widget.h"
 #include "ui/widgets/theme.h"
-#include "ui/workstation/calibrate/camera_mouse.h"
-#include "ui/workstation/preview/figures_table.h"
+#include "ui/widgets/camera_mouse.h"
+#include "ui/widgets/figures_table.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/fitted_picture.h"
 #include "ui/widgets/theme.h"
 #include "ui/workstation/volume/volume_step.h"
 #include "ui/workstation/workspace.h"
@@ -42,20 +43,14 @@ Texture texture_of(Workspace& workspace, const std::string& name, const VolumePi
   return workspace.pictures.show(name, picture.revision, [&] { return picture.pixels; });
 }
 
-// A picture that fills as much of the area as its shape allows, in the middle, over `ground`.
-void draw_fitted(const Texture& texture, const ImVec2& least, const ImVec2& area, ImU32 ground) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(least, {least.x + area.x, least.y + area.y}, ground);
-  if (!texture) return;
-  const float scale =
-      std::min(area.x / float(texture.size_px.x), area.y / float(texture.size_px.y));
-  const ImVec2 size(scale * float(texture.size_px.x), scale * float(texture.size_px.y));
-  const ImVec2 corner(least.x + 0.5f * (area.x - size.x), least.y + 0.5f * (area.y - size.y));
-  draw.AddImage(texture.id, corner, {corner.x + size.x, corner.y + size.y});
-}
-
 // What lies behind a half-clear tree: a plain grey.
 ImU32 ground_colour() { return ImGui::GetColorU32(ImVec4(0.45f, 0.47f, 0.48f, 1.0f)); }
+
+void draw_on_ground(const Texture& texture, const ImVec2& least, const ImVec2& area) {
+  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + area.x, least.y + area.y},
+                                            ground_colour());
+  draw_fitted(texture, least, area);
+}
 
 std::uint64_t slice_revision(const VolumeStepState& state, int axis) {
   const auto place = std::uint64_t(std::lround(state.cut[axis] * 1000.0));
@@ -73,7 +68,7 @@ void draw_slice(Workspace& workspace, int axis, float edge) {
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::Dummy({edge, edge});
   mark(name);
-  draw_fitted(texture, least, {edge, edge}, ground_colour());
+  draw_on_ground(texture, least, {edge, edge});
   auto position = float(state.cut[axis]);
   ImGui::SetNextItemWidth(edge);
   const std::string label = std::string("##cut_") + kNames[axis];
@@ -128,8 +123,7 @@ void draw_orbit(Workspace& workspace, const ImVec2& area) {
   const Camera camera = orbit_camera(state.look->volume, wanted.azimuth, wanted.elevation,
                                      wanted.distance, width_px, wanted.height_px);
   keep_drawn(workspace, state.orbit_picture, wanted, camera, "volume/orbit");
-  draw_fitted(texture_of(workspace, "volume/orbit", state.orbit_picture), least, area,
-              ground_colour());
+  draw_on_ground(texture_of(workspace, "volume/orbit", state.orbit_picture), least, area);
 }
 
 // The photo at the working size, or else the tree cut out of it; empty where neither is at hand.

@@ -1,4 +1,4 @@
-#include "ui/workstation/preview/figures_table.h"
+#include "ui/widgets/figures_table.h"
 
 #include <imgui.h>
 

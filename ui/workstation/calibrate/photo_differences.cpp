@@ -1,4 +1,4 @@
-#include "ui/workstation/photos/photo_differences.h"
+#include "ui/workstation/calibrate/photo_differences.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ui/workstation/calibrate/camera_mouse.h"
+#include "ui/widgets/camera_mouse.h"
 
 #include <imgui.h>
 
