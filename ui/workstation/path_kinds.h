@@ -29,6 +29,4 @@ NamedPaths sorted_out(const std::vector<std::filesystem::path>& named);
 // the person's own folder.
 std::filesystem::path path_of_text(std::string text);
 
-bool has_photo_ending(const std::filesystem::path& path);
-
 }  // namespace bosk
