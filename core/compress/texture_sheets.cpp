@@ -19,20 +19,18 @@ TileSheet empty_sheet(int tile_px, std::size_t tiles, int across) {
   return sheet;
 }
 
-void put_texture(const BillboardLevel& level, std::size_t texture, int tile, TileSheet& sheet) {
-  const glm::ivec2 corner = sheet.corner_px(tile);
-  const std::size_t first = texture * level.texture_size();
-  for (int i = 0; i < level.texels * level.texels; ++i) {
-    sheet.picture(corner.x + i % level.texels, corner.y + i / level.texels) =
-        level.texture[first + std::size_t(i)];
+// Puts texels in rows of `edge`, `texel` giving them by their place.
+template <class Texel>
+void put_square(const glm::ivec2& corner, int edge, const Texel& texel, TileSheet& sheet) {
+  for (int i = 0; i < edge * edge; ++i) {
+    sheet.picture(corner.x + i % edge, corner.y + i / edge) = texel(std::size_t(i));
   }
 }
 
-template <class Texel>
-void put_block(const glm::ivec2& corner, const Texel& texel, TileSheet& sheet) {
-  for (int i = 0; i < kBlock * kBlock; ++i) {
-    sheet.picture(corner.x + i % kBlock, corner.y + i / kBlock) = texel(std::size_t(i));
-  }
+void put_texture(const BillboardLevel& level, std::size_t texture, int tile, TileSheet& sheet) {
+  const std::size_t first = texture * level.texture_size();
+  const auto texel = [&](std::size_t i) { return level.texture[first + i]; };
+  put_square(sheet.corner_px(tile), level.texels, texel, sheet);
 }
 
 // One level as its codebooks give it.
@@ -49,9 +47,58 @@ void put_coded(const BillboardLevel& level, const CodedSource& coded, std::size_
     const std::size_t block = texture * std::size_t(blocks) + std::size_t(i);
     const BlockTexels texels = decoded_block(coded.textures, coded.atlas, coded.level, block);
     const glm::ivec2 corner = sheet.corner_px(tile) + kBlock * glm::ivec2(i % across, i / across);
-    put_block(
-        corner, [&](std::size_t texel) { return texels[texel]; }, sheet);
+    const auto texel = [&](std::size_t k) { return texels[k]; };
+    put_square(corner, kBlock, texel, sheet);
   }
+}
+
+// Calls put(texture, tile, sheet) for one cell's textures towards every view.
+template <class Put>
+TileSheet sheet_of_cell(const BillboardLevel& level, std::size_t cell, int across, const Put& put) {
+  assert(cell < level.cells.size());
+  const std::size_t views = level.views.size();
+  TileSheet sheet = empty_sheet(level.texels, views, across);
+  for (std::size_t view = 0; view < views; ++view) put(cell * views + view, int(view), sheet);
+  return sheet;
+}
+
+// The same for one view's textures of the cells [first, first + cells), as far as there are any.
+template <class Put>
+TileSheet sheet_of_view(const BillboardLevel& level, std::size_t view, std::size_t first,
+                        std::size_t cells, int across, const Put& put) {
+  assert(view < level.views.size());
+  const std::size_t end = std::min(first + cells, level.cells.size());
+  TileSheet sheet = empty_sheet(level.texels, end - std::min(first, end), across);
+  for (std::size_t cell = first; cell < end; ++cell) {
+    put(cell * level.views.size() + view, int(cell - first), sheet);
+  }
+  return sheet;
+}
+
+auto putting(const BillboardLevel& level) {
+  return [&level](std::size_t texture, int tile, TileSheet& sheet) {
+    put_texture(level, texture, tile, sheet);
+  };
+}
+
+auto putting_coded(const BillboardLevel& level, const CodedSource& coded) {
+  return [&level, coded](std::size_t texture, int tile, TileSheet& sheet) {
+    put_coded(level, coded, texture, tile, sheet);
+  };
+}
+
+// Codewords from their tiles in the atlas, each texel's colour by `shown`.
+template <class Shown>
+TileSheet sheet_of_codewords(const CodedTextures& textures, std::uint32_t first_tile,
+                             std::uint32_t count, int across, const Shown& shown) {
+  TileSheet sheet = empty_sheet(kBlock, count, across);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto texel = [&](std::size_t k) {
+      return shown(textures.atlas_rgba[atlas_texel(textures, first_tile + i, k)]);
+    };
+    put_square(sheet.corner_px(int(i)), kBlock, texel, sheet);
+  }
+  return sheet;
 }
 
 }  // namespace
@@ -59,38 +106,20 @@ void put_coded(const BillboardLevel& level, const CodedSource& coded, std::size_
 TileSheet cell_textures(const Billboards& billboards, std::size_t level, std::size_t cell,
                         int across) {
   const BillboardLevel& source = billboards.levels.at(level);
-  const std::size_t views = source.views.size();
-  assert(cell < source.cells.size());
-  TileSheet sheet = empty_sheet(source.texels, views, across);
-  for (std::size_t view = 0; view < views; ++view) {
-    put_texture(source, cell * views + view, int(view), sheet);
-  }
-  return sheet;
+  return sheet_of_cell(source, cell, across, putting(source));
 }
 
 TileSheet coded_cell_textures(const Billboards& billboards, const CodedTextures& textures,
                               const std::vector<glm::u8vec4>& atlas, std::size_t level,
                               std::size_t cell, int across) {
   const BillboardLevel& source = billboards.levels.at(level);
-  const std::size_t views = source.views.size();
-  assert(cell < source.cells.size());
-  TileSheet sheet = empty_sheet(source.texels, views, across);
-  for (std::size_t view = 0; view < views; ++view) {
-    put_coded(source, {textures, atlas, level}, cell * views + view, int(view), sheet);
-  }
-  return sheet;
+  return sheet_of_cell(source, cell, across, putting_coded(source, {textures, atlas, level}));
 }
 
 TileSheet view_textures(const Billboards& billboards, std::size_t level, std::size_t view,
                         std::size_t first_cell, std::size_t cells, int across) {
   const BillboardLevel& source = billboards.levels.at(level);
-  assert(view < source.views.size());
-  const std::size_t end = std::min(first_cell + cells, source.cells.size());
-  TileSheet sheet = empty_sheet(source.texels, end - std::min(first_cell, end), across);
-  for (std::size_t cell = first_cell; cell < end; ++cell) {
-    put_texture(source, cell * source.views.size() + view, int(cell - first_cell), sheet);
-  }
-  return sheet;
+  return sheet_of_view(source, view, first_cell, cells, across, putting(source));
 }
 
 TileSheet coded_view_textures(const Billboards& billboards, const CodedTextures& textures,
@@ -98,44 +127,22 @@ TileSheet coded_view_textures(const Billboards& billboards, const CodedTextures&
                               std::size_t view, std::size_t first_cell, std::size_t cells,
                               int across) {
   const BillboardLevel& source = billboards.levels.at(level);
-  assert(view < source.views.size());
-  const std::size_t end = std::min(first_cell + cells, source.cells.size());
-  TileSheet sheet = empty_sheet(source.texels, end - std::min(first_cell, end), across);
-  for (std::size_t cell = first_cell; cell < end; ++cell) {
-    put_coded(source, {textures, atlas, level}, cell * source.views.size() + view,
-              int(cell - first_cell), sheet);
-  }
-  return sheet;
+  return sheet_of_view(source, view, first_cell, cells, across,
+                       putting_coded(source, {textures, atlas, level}));
 }
 
 TileSheet colour_codewords(const CodedTextures& textures, std::size_t level, int across) {
   const CodedLevel& coded = textures.levels.at(level);
-  TileSheet sheet = empty_sheet(kBlock, coded.colour_codewords, across);
-  for (std::uint32_t i = 0; i < coded.colour_codewords; ++i) {
-    put_block(
-        sheet.corner_px(int(i)),
-        [&](std::size_t texel) {
-          const std::size_t place = atlas_texel(textures, coded.first_colour_tile + i, texel);
-          return glm::u8vec4(glm::u8vec3(textures.atlas_rgba[place]), 255);
-        },
-        sheet);
-  }
-  return sheet;
+  return sheet_of_codewords(
+      textures, coded.first_colour_tile, coded.colour_codewords, across,
+      [](const glm::u8vec4& texel) { return glm::u8vec4(glm::u8vec3(texel), 255); });
 }
 
 TileSheet alpha_codewords(const CodedTextures& textures, std::size_t level, int across) {
   const CodedLevel& coded = textures.levels.at(level);
-  TileSheet sheet = empty_sheet(kBlock, coded.alpha_codewords, across);
-  for (std::uint32_t i = 0; i < coded.alpha_codewords; ++i) {
-    put_block(
-        sheet.corner_px(int(i)),
-        [&](std::size_t texel) {
-          const std::size_t place = atlas_texel(textures, coded.first_alpha_tile + i, texel);
-          return glm::u8vec4(glm::u8vec3(255), textures.atlas_rgba[place].a);
-        },
-        sheet);
-  }
-  return sheet;
+  return sheet_of_codewords(
+      textures, coded.first_alpha_tile, coded.alpha_codewords, across,
+      [](const glm::u8vec4& texel) { return glm::u8vec4(glm::u8vec3(255), texel.a); });
 }
 
 }  // namespace bosk

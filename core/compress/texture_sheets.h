@@ -25,8 +25,8 @@ struct TileSheet {
 // the level's views.
 TileSheet cell_textures(const Billboards& billboards, std::size_t level, std::size_t cell,
                         int across = 4);
-// The same as they come out of the codebooks, exact ones or as GPUs see them (`from_bc3`).
-// `atlas`: textures.atlas_rgba or atlas_from_bc3(textures).
+// The same as they come out of the codebooks. `atlas`: textures.atlas_rgba for exact ones, or
+// atlas_from_bc3(textures) for them as GPUs see them.
 TileSheet coded_cell_textures(const Billboards& billboards, const CodedTextures& textures,
                               const std::vector<glm::u8vec4>& atlas, std::size_t level,
                               std::size_t cell, int across = 4);

@@ -12,7 +12,6 @@ namespace bosk {
 namespace {
 
 constexpr double kLiveSample = 10000.0;   // pixels that settle where the tree is
-constexpr int kHullRounds = 2;            // as in matte_photos
 constexpr std::size_t kStudyRows = 1300;  // about, of all samples
 
 Photo reduced(const Photo& photo, double megapixels) {
@@ -71,7 +70,7 @@ LiveMatte live_matte(const LivePhoto& photo, const Image<std::uint8_t>& strokes,
   const std::string missing = what_is_missing(strokes);
   if (!missing.empty()) return {{photo.full.name, {}}, missing};
   progress.begin("Matte of " + photo.full.name,
-                 kStudyRows + 4 * std::size_t(photo.small.srgb.height()));
+                 kStudyRows + kRowSteps * std::size_t(photo.small.srgb.height()));
   const StrokeModel drawn = learn_strokes(photo.lab, strokes, options.clusters);
   progress.check();
   std::vector<Teacher> teachers{{&photo.full, drawn, drawn, 0.0}};

@@ -11,15 +11,10 @@
 namespace bosk {
 namespace {
 
-constexpr std::size_t kRowSteps =
-    4;  // CIELab, alpha, its refinement and the foreground count a photo's rows
 constexpr std::size_t kStudyRows = 1500;  // about, of the samples of one photo
-constexpr int kHullRounds = 2;
 constexpr double kWorseFit = 4.0;  // natural logarithm, mean per pixel, below the teacher's own fit
 constexpr float kStrangeGain =
     3.0f;  // a factor in linear light that a session's photos rarely differ by
-constexpr double kNothing = 2e-4,
-                 kAll = 0.98;  // mean alpha of a photo that shows no tree, or nothing else
 
 void warn_of_fit(const Photo& photo, const Study& study, Progress& progress) {
   if (study.lesson.teacher->photo == &photo) return;

@@ -7,16 +7,16 @@
 
 #include "core/image/colour.h"
 #include "core/matte/hull.h"
+#include "core/matte/photo_matte.h"
 #include "core/matte/teacher.h"
 
 namespace bosk {
 namespace {
 
-constexpr double kSample = 50000.0;             // pixels of each photo
-constexpr std::size_t kFewest = 3;              // mattes
-constexpr double kNothing = 2e-4, kAll = 0.98;  // mean alpha of a photo of no tree, or nothing else
-constexpr double kSmaller = 0.9;  // of the median size: trees differ that much from side to side
-constexpr double kMissing = 2.0;  // what is missing spoils a hull more than what is too much
+constexpr double kSample = 50000.0;  // pixels of each photo
+constexpr std::size_t kFewest = 3;   // mattes
+constexpr double kSmaller = 0.9;     // of the median size: trees differ that much from side to side
+constexpr double kMissing = 2.0;     // what is missing spoils a hull more than what is too much
 constexpr double kWorthAWord = 0.01;  // share of the photo
 
 // CIELab cells about as wide as noise and the change of light between photos.

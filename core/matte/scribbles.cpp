@@ -78,11 +78,4 @@ Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Pho
   return strokes;
 }
 
-Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
-                                       const std::string& file) {
-  Image<std::uint8_t> strokes = drawing_in_photo(drawn, photo, file);
-  require_both_kinds(strokes, file);
-  return strokes;
-}
-
 }  // namespace bosk

@@ -19,11 +19,7 @@ using Scribbles = std::map<std::string, Image<std::uint8_t>>;
 // Strokes as they were drawn over the original (distorted) photo, moved into the working photo,
 // each pixel from its nearest. `drawn` may be a scaled copy of the original. Values far from white,
 // black and middle grey (edges that a paint program softened) and what lies outside become unknown.
-// Throws Error naming `file` when the shape does not fit the photo or a kind of stroke is missing.
-Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
-                                       const std::string& file);
-
-// The same without asking for both kinds, for drawings that strokes are painted over.
+// Throws Error naming `file` when the shape does not fit the photo.
 Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
                                      const std::string& file);
 

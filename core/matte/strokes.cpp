@@ -169,15 +169,6 @@ void paint_tile(const Tile& tile, const std::vector<Run>& runs, const Photo& pho
   }
 }
 
-void restore_tile(const Tile& tile, const Image<std::uint8_t>& below,
-                  Image<std::uint8_t>& scribbles) {
-  for (int y = tile.y; y < tile.end_y; ++y) {
-    for (int x = tile.x; x < tile.end_x; ++x) {
-      scribbles(x, y) = below.empty() ? kNoStroke : below(x, y);
-    }
-  }
-}
-
 std::vector<Run> runs_of(const std::vector<Stroke>& strokes) {
   std::vector<Run> runs;
   for (const Stroke& stroke : strokes) add_runs(stroke, runs);
@@ -205,6 +196,21 @@ void for_each_tile(const Photo& photo, const PixelBox& box, Work&& work) {
       work(tile_at(x, inside.from.y + row * kTilePx, inside, photo));
     }
   });
+}
+
+// Working pixels about a disc in the photo as taken, some too many, since lenses bend its edge;
+// none where a lens gives no answer.
+std::optional<PixelBox> box_of_disc(const dvec2& centre, double radius_px, const Photo& photo) {
+  constexpr double kEdge = 2.0, kFar = 1e8;  // the latter is what an int can hold
+  const double r = 1.1 * radius_px;
+  PixelBox box;
+  for (const dvec2& offset : {dvec2(r, 0.0), dvec2(-r, 0.0), dvec2(0.0, r), dvec2(0.0, -r)}) {
+    const auto place = working_place(photo, centre + offset);
+    if (!place) return std::nullopt;
+    const dvec2 kept = glm::clamp(*place, dvec2(-kFar), dvec2(kFar));
+    box = around(box, {glm::ivec2(glm::floor(kept - kEdge)), glm::ivec2(glm::ceil(kept + kEdge))});
+  }
+  return box;
 }
 
 }  // namespace
@@ -238,22 +244,21 @@ double taken_px_per_working_px(const Photo& photo) {
   return photo.original_camera.lens.focal_px.x / photo.camera.lens.focal_px.x;
 }
 
-// Of the disc around each point; two pixels more, since lenses bend its edge.
+// Of discs along its line, close enough that what a lens bends between two of them is within the
+// two pixels more that each is given.
 PixelBox box_of(const Stroke& stroke, const Photo& photo) {
-  const PixelBox whole = whole_of(photo);
-  constexpr double kEdge = 2.0, kFar = 1e8;  // the latter is what an int can hold
-  const double r = 1.1 * stroke.radius_px;
+  const double piece_px = photo.original_camera.lens.width_px / 32.0;
   PixelBox box;
-  for (const dvec2& point : stroke.points_px) {
-    for (const dvec2& offset : {dvec2(r, 0.0), dvec2(-r, 0.0), dvec2(0.0, r), dvec2(0.0, -r)}) {
-      const auto place = working_place(photo, point + offset);
-      if (!place) return whole;
-      const dvec2 kept = glm::clamp(*place, dvec2(-kFar), dvec2(kFar));
-      box =
-          around(box, {glm::ivec2(glm::floor(kept - kEdge)), glm::ivec2(glm::ceil(kept + kEdge))});
+  for (std::size_t i = 0; i < stroke.points_px.size(); ++i) {
+    const dvec2 from = stroke.points_px[i == 0 ? 0 : i - 1], to = stroke.points_px[i];
+    const double pieces = std::clamp(std::ceil(glm::distance(from, to) / piece_px), 1.0, 64.0);
+    for (double k = 1.0; k <= pieces; ++k) {
+      const auto disc = box_of_disc(glm::mix(from, to, k / pieces), stroke.radius_px, photo);
+      if (!disc) return whole_of(photo);
+      box = around(box, *disc);
     }
   }
-  return overlap(box, whole);
+  return overlap(box, whole_of(photo));
 }
 
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
@@ -267,19 +272,6 @@ void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo, const
   const std::vector<Run> runs = runs_of(strokes);
   if (runs.empty()) return;
   for_each_tile(photo, box, [&](const Tile& tile) { paint_tile(tile, runs, photo, scribbles); });
-}
-
-void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
-                     const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles) {
-  fit(photo, scribbles);
-  const std::vector<Run> runs = runs_of(strokes), changed_runs = runs_of({changed});
-  for_each_tile(photo, whole_of(photo), [&](const Tile& tile) {
-    const bool touched = std::any_of(changed_runs.begin(), changed_runs.end(),
-                                     [&](const Run& run) { return may_touch(run, tile); });
-    if (!touched) return;
-    restore_tile(tile, below, scribbles);
-    paint_tile(tile, runs, photo, scribbles);
-  });
 }
 
 }  // namespace bosk

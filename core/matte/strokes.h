@@ -59,10 +59,4 @@ std::optional<glm::dvec2> taken_place(const Photo& photo, const glm::dvec2& work
 // How many pixels of the photo as taken a working pixel is wide, in the middle.
 double taken_px_per_working_px(const Photo& photo);
 
-// Repaints only where `changed` passes, for a stroke that was undone or taken out: there
-// `scribbles` becomes what `below` (files' drawing; empty: unknown everywhere) is with `strokes`
-// over it.
-void repaint_strokes(const std::vector<Stroke>& strokes, const Stroke& changed, const Photo& photo,
-                     const Image<std::uint8_t>& below, Image<std::uint8_t>& scribbles);
-
 }  // namespace bosk

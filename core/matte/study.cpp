@@ -41,10 +41,11 @@ Image<float> place_tilt(const Study& study, const MatteOptions& options) {
 
 // Strokes of one kind teach their colours beside the teacher's.
 void add_corrections(const LabPlanes& sample, const MatteOptions& options, Study& study) {
-  const Image<float> like = study.drawn.foreground.front().squared_distance;
+  const Image<float>& map = study.drawn.foreground.front().squared_distance;
+  const int width = map.width(), height = map.height();
   const auto add = [&](std::uint8_t kind, std::vector<StrokeCluster> StrokeModel::*side) {
     for (StrokeCluster& cluster : learn_clusters(sample, study.strokes, kind, options.clusters)) {
-      cluster.squared_distance = stretched(cluster.squared_distance, like.width(), like.height());
+      cluster.squared_distance = stretched(cluster.squared_distance, width, height);
       (study.drawn.*side).push_back(cluster);
       (study.model.*side).push_back(std::move(cluster));
     }

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/binary.h"
 #include "core/base/content_hash.h"
 #include "core/base/options.h"
 #include "core/base/progress.h"
@@ -61,10 +60,5 @@ glm::ivec2 working_size(int width_px, int height_px, double megapixels);
 // A pinhole guessed from EXIF's focal length (35 mm equivalent, by the diagonal); without one 1.2
 // times the longer side, which is about a phone's.
 Lens guessed_lens(const DecodedPhoto& photo);
-
-void write(BinaryWriter& writer, const Photos& photos);
-Photos read_photos(BinaryReader& reader);
-void write(BinaryWriter& writer, const PhotoImport& import);
-PhotoImport read_photo_import(BinaryReader& reader);
 
 }  // namespace bosk

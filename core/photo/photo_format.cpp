@@ -104,4 +104,12 @@ bool is_usual_ending(PhotoFormat format, const std::string& ending) {
   return false;
 }
 
+bool has_photo_ending(const std::filesystem::path& path) {
+  constexpr std::array kFormats = {PhotoFormat::jpeg,    PhotoFormat::png, PhotoFormat::tiff,
+                                   PhotoFormat::openexr, PhotoFormat::raw, PhotoFormat::heif};
+  return std::any_of(kFormats.begin(), kFormats.end(), [&](PhotoFormat format) {
+    return is_usual_ending(format, path.extension().string());
+  });
+}
+
 }  // namespace bosk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,5 +21,7 @@ std::optional<PhotoFormat> photo_format(std::span<const std::byte> first_bytes,
 
 // Whether the ending is one that such files usually have.
 bool is_usual_ending(PhotoFormat format, const std::string& ending);
+// The same of any of the formats.
+bool has_photo_ending(const std::filesystem::path& path);
 
 }  // namespace bosk

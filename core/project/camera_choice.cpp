@@ -13,7 +13,8 @@ namespace {
 
 using Paths = std::vector<fs::path>;
 
-// The picture that a camera file lists, or the photo of its name; none where neither exists.
+// The picture that a camera file lists or, where it is missing, the photo of its name. Where that
+// is missing too, the former, so that an error names it.
 fs::path picture_for(const fs::path& image, const Paths& photos) {
   std::error_code none;
   if (fs::exists(image, none)) return image;

@@ -10,19 +10,10 @@ namespace bosk {
 namespace fs = std::filesystem;
 namespace {
 
-using Paths = std::vector<fs::path>;
-
 std::int32_t steps(double px) { return std::int32_t(std::lround(px / kStrokeStepPx)); }
 double pixels(std::int32_t steps) { return steps * kStrokeStepPx; }
 
-void write(BinaryWriter& writer, const std::string& text) {
-  writer.array(std::vector<char>(text.begin(), text.end()));
-}
-
-void write(BinaryWriter& writer, const Paths& paths) {
-  writer.value(std::uint64_t(paths.size()));
-  for (const fs::path& path : paths) write(writer, path.string());
-}
+void write(BinaryWriter& writer, const fs::path& path) { writer.text(path.string()); }
 
 void write(BinaryWriter& writer, const Stroke& stroke) {
   writer.value(stroke.kind);
@@ -36,33 +27,37 @@ void write(BinaryWriter& writer, const Stroke& stroke) {
 }
 
 void write(BinaryWriter& writer, const SetOption& edit) {
-  write(writer, edit.name);
-  write(writer, edit.before);
-  write(writer, edit.after);
+  writer.text(edit.name);
+  writer.text(edit.before);
+  writer.text(edit.after);
 }
+
+template <class Item>
+void write_list(BinaryWriter& writer, const std::vector<Item>& items) {
+  writer.value(std::uint64_t(items.size()));
+  for (const Item& item : items) write(writer, item);
+}
+
 void write(BinaryWriter& writer, const SetPhotos& edit) {
-  write(writer, edit.before);
-  write(writer, edit.after);
+  write_list(writer, edit.before);
+  write_list(writer, edit.after);
 }
 void write(BinaryWriter& writer, const SetFiles& edit) {
   writer.value(edit.which);
-  write(writer, edit.before.string());
-  write(writer, edit.after.string());
+  write(writer, edit.before);
+  write(writer, edit.after);
 }
 void write(BinaryWriter& writer, const AddStroke& edit) {
-  write(writer, edit.photo);
+  writer.text(edit.photo);
   write(writer, edit.stroke);
 }
 void write(BinaryWriter& writer, const ClearStrokes& edit) {
-  write(writer, edit.photo);
-  writer.value(std::uint64_t(edit.before.size()));
-  for (const Stroke& stroke : edit.before) write(writer, stroke);
+  writer.text(edit.photo);
+  write_list(writer, edit.before);
 }
-
 void write(BinaryWriter& writer, const SetOptions& edit) {
-  write(writer, edit.what);
-  writer.value(std::uint64_t(edit.options.size()));
-  for (const SetOption& option : edit.options) write(writer, option);
+  writer.text(edit.what);
+  write_list(writer, edit.options);
 }
 
 // One of an enumeration's first `count` values.
@@ -74,13 +69,16 @@ Kind read_kind(BinaryReader& reader, std::uint8_t count) {
 }
 
 // The count is believed only as far as the bytes go: each item takes some.
-Paths read_paths(BinaryReader& reader) {
-  Paths paths;
+template <class ReadItem>
+auto read_list(BinaryReader& reader, ReadItem read_item) {
+  std::vector<decltype(read_item(reader))> items;
   for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
-    paths.emplace_back(reader.text());
+    items.push_back(read_item(reader));
   }
-  return paths;
+  return items;
 }
+
+fs::path read_path(BinaryReader& reader) { return reader.text(); }
 
 Stroke read_stroke(BinaryReader& reader) {
   Stroke stroke;
@@ -104,16 +102,16 @@ SetOption read_option(BinaryReader& reader) {
 
 SetPhotos read_photo_places(BinaryReader& reader) {
   SetPhotos edit;
-  edit.before = read_paths(reader);
-  edit.after = read_paths(reader);
+  edit.before = read_list(reader, read_path);
+  edit.after = read_list(reader, read_path);
   return edit;
 }
 
 SetFiles read_files(BinaryReader& reader) {
   SetFiles edit;
   edit.which = read_kind<FileKind>(reader, 3);
-  edit.before = reader.text();
-  edit.after = reader.text();
+  edit.before = read_path(reader);
+  edit.after = read_path(reader);
   return edit;
 }
 
@@ -127,18 +125,14 @@ AddStroke read_added(BinaryReader& reader) {
 ClearStrokes read_cleared(BinaryReader& reader) {
   ClearStrokes edit;
   edit.photo = reader.text();
-  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
-    edit.before.push_back(read_stroke(reader));
-  }
+  edit.before = read_list(reader, read_stroke);
   return edit;
 }
 
 SetOptions read_options(BinaryReader& reader) {
   SetOptions edit;
   edit.what = reader.text();
-  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
-    edit.options.push_back(read_option(reader));
-  }
+  edit.options = read_list(reader, read_option);
   return edit;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/system_error.h"
 #include "core/photo/camera_files.h"
 #include "core/photo/decode.h"
+#include "core/photo/photo_format.h"
 #include "core/project/camera_choice.h"
 #include "core/project/capture.h"
 #include "core/project/lock.h"
@@ -20,20 +21,12 @@ namespace {
 
 using Paths = std::vector<fs::path>;
 
-bool looks_like_a_photo(const fs::path& path) {
-  const PhotoFormat formats[] = {PhotoFormat::jpeg,    PhotoFormat::png, PhotoFormat::tiff,
-                                 PhotoFormat::openexr, PhotoFormat::raw, PhotoFormat::heif};
-  return std::any_of(std::begin(formats), std::end(formats), [&](PhotoFormat format) {
-    return is_usual_ending(format, path.extension().string());
-  });
-}
-
 Paths photos_in(const fs::path& folder) {
   std::error_code failure;
   Paths photos;
   for (const auto& entry : fs::directory_iterator(folder, failure)) {
     const bool hidden = entry.path().filename().string().rfind('.', 0) == 0;
-    if (!hidden && entry.is_regular_file() && looks_like_a_photo(entry.path())) {
+    if (!hidden && entry.is_regular_file() && has_photo_ending(entry.path())) {
       photos.push_back(entry.path());
     }
   }

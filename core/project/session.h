@@ -34,8 +34,8 @@ class Session {
   // the edit doesn't fit (see apply), a text is not valid UTF-8, or the journal can't be written.
   void apply(Edit edit);
 
-  bool can_undo() const { return history_.done > 0; }
-  bool can_redo() const { return history_.done < history_.edits.size(); }
+  bool can_undo() const { return edit_to_undo(history_) != nullptr; }
+  bool can_redo() const { return edit_to_redo(history_) != nullptr; }
   // What undo or redo would concern; empty when there is nothing.
   std::string undo_title() const;
   std::string redo_title() const;

@@ -11,6 +11,7 @@
 #include "core/package/writer.h"
 #include "core/project/imported_mattes.h"
 #include "core/project/stored_images.h"
+#include "core/project/stroke_text.h"
 #include "core/render/level_switch.h"
 
 namespace bosk {
@@ -57,15 +58,10 @@ void hash_files(ContentHasher& hasher, const std::vector<SourceFile>& files) {
   }
 }
 
-const char* name_of(StrokeKind kind) {
-  if (kind == StrokeKind::erase) return "erase";
-  return kind == StrokeKind::foreground ? "foreground" : "background";
-}
-
 void hash_strokes(ContentHasher& hasher, const std::vector<Stroke>& strokes) {
   hasher.value(std::uint64_t(strokes.size()));
   for (const Stroke& stroke : strokes) {
-    hasher.text(name_of(stroke.kind)).value(stroke.radius_px).array(stroke.points_px);
+    hasher.text(kind_text(stroke.kind)).value(stroke.radius_px).array(stroke.points_px);
   }
 }
 

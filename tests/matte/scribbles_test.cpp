@@ -24,6 +24,14 @@ Image<std::uint8_t> both_kinds(int width, int height) {
   return drawn;
 }
 
+// As a project takes a file of strokes that stands alone.
+Image<std::uint8_t> scribbles_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,
+                                       const std::string& file) {
+  Image<std::uint8_t> strokes = drawing_in_photo(drawn, photo, file);
+  require_both_kinds(strokes, file);
+  return strokes;
+}
+
 std::string complaint_about(const Image<std::uint8_t>& drawn) {
   try {
     scribbles_in_photo(drawn, bent_photo(), "oak.png");

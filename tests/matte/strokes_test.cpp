@@ -142,7 +142,7 @@ TEST(PaintStrokes, OneByOneOrAllAtOnceIsTheSame) {
   EXPECT_EQ(one_by_one, painted(strokes, photo));
 }
 
-TEST(RepaintStrokes, GivesWhatPaintingAllAnewWould) {
+TEST(PaintStrokes, InTheBoxOfOneTakenOutGiveWhatPaintingAllAnewWould) {
   Random random(7);
   const Photo photo = bent_photo();
   const auto below = painted({random_stroke(random), random_stroke(random)}, photo);
@@ -154,7 +154,11 @@ TEST(RepaintStrokes, GivesWhatPaintingAllAnewWould) {
     const auto taken = strokes.begin() + std::ptrdiff_t(random.below(strokes.size()));
     const Stroke changed = *taken;
     strokes.erase(taken);
-    repaint_strokes(strokes, changed, photo, below, scribbles);
+    const PixelBox box = box_of(changed, photo);
+    for (int y = box.from.y; y < box.to.y; ++y) {
+      for (int x = box.from.x; x < box.to.x; ++x) scribbles(x, y) = below(x, y);
+    }
+    paint_strokes(strokes, photo, box, scribbles);
     auto anew = below;
     paint_strokes(strokes, photo, anew);
     ASSERT_EQ(scribbles, anew) << strokes.size();
@@ -171,7 +175,7 @@ TEST(PaintStrokes, AgreeWithADrawingOfTheSame) {
   Photo as_taken = photo;
   as_taken.camera.lens = as_taken.original_camera.lens = undistorted(photo.original_camera.lens);
   paint_strokes(strokes, as_taken, drawn);
-  const auto through_file = scribbles_in_photo(drawn, photo, "oak.png");
+  const auto through_file = drawing_in_photo(drawn, photo, "oak.png");
   const auto direct = painted(strokes, photo);
   std::size_t different = 0;
   for (std::size_t i = 0; i < direct.size(); ++i) {
@@ -200,6 +204,29 @@ TEST(PaintStrokes, WithinABoxPaintThatAlone) {
   }
 }
 
+void expect_in_box(const Stroke& stroke, const Photo& photo) {
+  const Image<std::uint8_t> whole = painted_slowly({stroke}, photo);
+  const PixelBox box = box_of(stroke, photo);
+  for (int y = 0; y < whole.height(); ++y) {
+    for (int x = 0; x < whole.width(); ++x) {
+      if (whole(x, y) == kNoStroke) continue;
+      ASSERT_TRUE(x >= box.from.x && x < box.to.x && y >= box.from.y && y < box.to.y)
+          << x << ", " << y;
+    }
+  }
+}
+
+// A fast hand gives two places far apart; what lies between them is bent away from them.
+TEST(BoxOf, HoldsTheBendOfALongLine) {
+  for (const double k1 : {-0.2, 0.2}) {
+    const Photo photo = bent_photo(400, k1);
+    expect_in_box({StrokeKind::foreground, 3.0, {{10, 8}, {390, 8}}}, photo);
+    expect_in_box({StrokeKind::foreground, 3.0, {{10, 290}, {390, 290}}}, photo);
+    expect_in_box({StrokeKind::foreground, 3.0, {{8, 10}, {8, 290}}}, photo);
+    expect_in_box({StrokeKind::foreground, 3.0, {{390, 10}, {390, 290}}}, photo);
+  }
+}
+
 TEST(BoxOf, HoldsAllThatAStrokePaints) {
   const Photo photo = bent_photo();
   Random random(5);
@@ -208,14 +235,8 @@ TEST(BoxOf, HoldsAllThatAStrokePaints) {
     for (int k = 0; k < 3; ++k) {
       stroke.points_px.emplace_back(random.uniform(-50.0, 450.0), random.uniform(-50.0, 350.0));
     }
-    const Image<std::uint8_t> whole = painted_slowly({stroke}, photo);
-    const PixelBox box = box_of(stroke, photo);
-    for (int y = 0; y < whole.height(); ++y) {
-      for (int x = 0; x < whole.width(); ++x) {
-        if (whole(x, y) == kNoStroke) continue;
-        ASSERT_TRUE(x >= box.from.x && x < box.to.x && y >= box.from.y && y < box.to.y) << i;
-      }
-    }
+    SCOPED_TRACE(i);
+    expect_in_box(stroke, photo);
   }
 }
 

@@ -179,27 +179,6 @@ TEST(ImportPhotos, StopsWhenCancelled) {
   EXPECT_THROW(import_photos(files, {}, {}, progress), Cancelled);
 }
 
-TEST(PhotoImportCache, ReadsBackWhatWasWritten) {
-  const ScratchFolder folder;
-  PhotoFile file{.channels = 4};
-  file.attributes.attribute("Make", "Maker");
-  ASSERT_TRUE(write_photo(folder / "a.tif", file));
-  const PhotoImport import_before = import({folder / "a.tif"}, {camera_named("a")});
-  BinaryWriter writer;
-  write(writer, import_before);
-  BinaryReader reader(writer.bytes());
-  const PhotoImport after = read_photo_import(reader);
-  EXPECT_TRUE(reader.at_end());
-  EXPECT_EQ(after.photos[0].srgb, import_before.photos[0].srgb);
-  EXPECT_EQ(after.photos[0].original_camera.lens, import_before.photos[0].original_camera.lens);
-  EXPECT_EQ(after.rgba, import_before.rgba);
-  EXPECT_EQ(after.verdicts[0].reason, import_before.verdicts[0].reason);
-  EXPECT_EQ(after.verdicts[0].metadata.make, "Maker");
-  BinaryWriter again;
-  write(again, after);
-  EXPECT_EQ(again.bytes(), writer.bytes());
-}
-
 TEST(PhotoOptions, AreDescribedWithTheirDefaultsInRange) {
   PhotoOptions options;
   for (const Option& option : describe(options)) {

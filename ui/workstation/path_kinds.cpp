@@ -128,14 +128,6 @@ std::string without_percents(const std::string& text) {
 
 }  // namespace
 
-bool has_photo_ending(const fs::path& path) {
-  const PhotoFormat formats[] = {PhotoFormat::jpeg,    PhotoFormat::png, PhotoFormat::tiff,
-                                 PhotoFormat::openexr, PhotoFormat::raw, PhotoFormat::heif};
-  return std::any_of(std::begin(formats), std::end(formats), [&](PhotoFormat format) {
-    return is_usual_ending(format, path.extension().string());
-  });
-}
-
 NamedPaths sorted_out(const Paths& named) {
   NamedPaths all;
   for (const fs::path& path : named) {

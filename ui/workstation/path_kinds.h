@@ -34,6 +34,4 @@ std::vector<std::filesystem::path> mattes_for(const std::vector<std::filesystem:
 // the person's own folder.
 std::filesystem::path path_of_text(std::string text);
 
-bool has_photo_ending(const std::filesystem::path& path);
-
 }  // namespace bosk
