@@ -18,7 +18,9 @@ namespace {
 
 constexpr double kLongestWait = 0.25;  // seconds: a signal to stop is heard within it
 constexpr int kFramesAfterEvent = 3;   // Dear ImGui settles its windows within so many
-constexpr double kSaveAfter = 2.0;     // seconds of rest before project.json is written anew
+// Seconds of rest before project.json is written anew: more than the journal takes to be on disk,
+// so that the file never names a place beyond its end, whatever the power does.
+constexpr double kSaveAfter = 2.0;
 
 std::string landmarks_text(const Landmarks& landmarks) {
   std::ostringstream text;

@@ -4,8 +4,8 @@
 
 #include "ui/workstation/calibrate/frusta.h"
 #include "ui/workstation/calibrate/known_cameras.h"
-#include "ui/workstation/notice.h"
 #include "ui/workstation/calibrate/photo_differences.h"
+#include "ui/workstation/notice.h"
 #include "ui/workstation/watched_job.h"
 
 namespace bosk {

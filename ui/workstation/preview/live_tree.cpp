@@ -8,11 +8,11 @@
 #include "core/package/reader.h"
 #include "core/render/reference.h"
 #include "ui/view_marks.h"
+#include "ui/widgets/camera_mouse.h"
+#include "ui/widgets/figures_table.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/option_widget.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/camera_mouse.h"
-#include "ui/widgets/figures_table.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
