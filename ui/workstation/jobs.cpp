@@ -208,8 +208,13 @@ bool Jobs::at_rest() const {
 }
 
 bool Jobs::is_open(int id) const {
-  const std::vector<JobView> views = now();
-  return std::any_of(views.begin(), views.end(), [&](const JobView& job) { return job.id == id; });
+  const auto is_it = [id](const auto& job) { return job && job->id == id; };
+  const std::lock_guard lock(mutex_);
+  return std::any_of(ended_.begin(), ended_.end(), is_it) ||
+         std::any_of(std::begin(queues_), std::end(queues_), [&](const Queue& queue) {
+           return is_it(queue.running) ||
+                  std::any_of(queue.waiting.begin(), queue.waiting.end(), is_it);
+         });
 }
 
 }  // namespace bosk

@@ -74,7 +74,7 @@ class Jobs {
 
   std::vector<JobView> now() const;  // the running ones first
   bool busy(Lane lane) const;        // whether any job of the lane waits or runs
-  bool is_open(int id) const;        // whether the job waits or runs
+  bool is_open(int id) const;        // whether the job waits, runs or is yet to be collected
   bool at_rest() const;              // nothing waits, runs or is yet to be collected
   // Background jobs that ended, newest last; interactive ones only when they failed.
   const std::vector<JobRecord>& records() const { return records_; }

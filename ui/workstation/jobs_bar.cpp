@@ -5,6 +5,7 @@
 #include "core/base/remaining_time.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/widgets/theme.h"
+#include "ui/workstation/stage_run.h"
 #include "ui/workstation/workspace.h"
 #include "ui/workstation/workstation.h"
 
@@ -36,6 +37,16 @@ void draw_job(Workspace& workspace, const JobView& job) {
   }
 }
 
+// What begins when the job at work is done.
+void draw_waiting(Workspace& workspace) {
+  const std::string title = title_of_stage(workspace.waiting_stage);
+  const bool dropped =
+      button("job/drop", "Drop##waiting", "what waits is not begun; what is at work goes on");
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s waits for it", title.c_str());
+  if (dropped) workspace.waiting_stage.clear();
+}
+
 void draw_record(const JobRecord& record) {
   switch (record.end) {
     case JobRecord::End::done:
@@ -62,6 +73,7 @@ void draw_jobs_bar(Workspace& workspace) {
     draw_job(workspace, job);
     any = true;
   }
+  if (!workspace.waiting_stage.empty()) draw_waiting(workspace);
   mark("jobs", ImGui::GetWindowPos(),
        {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
         ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});

@@ -8,19 +8,13 @@ namespace bosk {
 // that was stopped, or failed.
 struct WatchedJob {
   int id = 0;
-  bool ended = false;  // seen to have ended, before what it made could be collected
 
   bool is_at_work() const { return id != 0; }
 };
 
-// Whether the job ended without a result; it is then watched no longer. Once a frame: what ended
-// since the last `collect` gets its chance to be installed first.
+// Whether the job ended without a result; it is then watched no longer.
 inline bool was_stopped(WatchedJob& job, const Jobs& jobs) {
   if (job.id == 0 || jobs.is_open(job.id)) return false;
-  if (!job.ended) {
-    job.ended = true;
-    return false;
-  }
   job = {};
   return true;
 }

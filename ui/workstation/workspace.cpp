@@ -1,6 +1,7 @@
 #include "ui/workstation/workspace.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/project/cache.h"
@@ -51,14 +52,19 @@ void install(Workspace& workspace, Made made) {
     workspace.made[stage] = key;
     workspace.made_with[stage] = made.keys;
   }
+  const std::string next = std::exchange(workspace.waiting_stage, {});
   apply_what_was_used(workspace, made.asked, made.run.recipe);
   workspace.seen_revision.reset();  // what is stored may have changed
+  if (next.empty()) return;
+  refresh(workspace);
+  run_to(workspace, next);
 }
 
 void start_run(Workspace& workspace, const std::string& title, const std::string& stage,
                const std::vector<std::string>& wanted) {
   auto project = std::make_shared<const Project>(workspace.project());
   workspace.running_stage = stage;
+  workspace.running_key = workspace.wanted.at(stage);
   workspace.running_job = workspace.jobs.start(
       title,
       [project, capture = workspace.capture, wanted, watchers = watchers_of(workspace),
@@ -70,6 +76,19 @@ void start_run(Workspace& workspace, const std::string& title, const std::string
         return made;
       },
       [&workspace](Made made) { install(workspace, std::move(made)); });
+}
+
+// Whether a job is at work on a result that the project still asks for.
+bool is_wanted_work(const Workspace& workspace) {
+  if (workspace.running_job == 0) return false;
+  const auto wanted = workspace.wanted.find(workspace.running_stage);
+  return wanted != workspace.wanted.end() && wanted->second == workspace.running_key;
+}
+
+bool is_made_on_the_way_to(const std::string& last, const std::string& stage) {
+  if (last.empty()) return false;
+  const auto stages = stages_up_to(last);
+  return std::count(stages.begin(), stages.end(), stage) > 0;
 }
 
 // Brings keys and what the cache holds up to date with the project.
@@ -130,6 +149,7 @@ void close_project(Workspace& workspace) {
   workspace.wanted.clear();
   workspace.stored.clear();
   workspace.running_stage.clear();
+  workspace.waiting_stage.clear();
   workspace.photos = {};
   workspace.calibrate = {};
   workspace.matte = {};
@@ -160,6 +180,7 @@ void refresh(Workspace& workspace) {
   if (workspace.running_job != 0 && !workspace.jobs.is_open(workspace.running_job)) {
     workspace.running_job = 0;
     workspace.running_stage.clear();
+    workspace.waiting_stage.clear();  // its job was stopped or failed
     workspace.seen_revision.reset();
   }
   if (!workspace.session) return;
@@ -202,10 +223,9 @@ bool is_made_from(const Workspace& workspace, const std::string& stage, const st
 }
 
 bool is_running(const Workspace& workspace, const std::string& stage) {
-  if (workspace.running_stage.empty()) return false;
-  const auto stages = stages_up_to(workspace.running_stage);
-  return std::count(stages.begin(), stages.end(), stage) > 0 &&
-         state_of(workspace, stage) != StageState::current;
+  if (state_of(workspace, stage) == StageState::current) return false;
+  return is_made_on_the_way_to(workspace.running_stage, stage) ||
+         is_made_on_the_way_to(workspace.waiting_stage, stage);
 }
 
 std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
@@ -222,6 +242,10 @@ std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
 
 void run_to(Workspace& workspace, const std::string& stage) {
   if (!obstacle_to(workspace, stage).empty() || is_running(workspace, stage)) return;
+  if (is_wanted_work(workspace)) {
+    workspace.waiting_stage = stage;
+    return;
+  }
   if (workspace.running_job != 0) workspace.jobs.cancel(workspace.running_job);
   start_run(workspace, title_of_stage(stage), stage, stages_up_to(stage));
 }

@@ -99,7 +99,9 @@ struct Workspace {
   std::map<std::string, ContentHash> wanted;  // the keys that the project asks for now
   std::map<std::string, bool> stored;         // whether the cache holds the wanted result
   std::string running_stage;                  // that the running job was asked for
+  ContentHash running_key;                    // of that stage when the job began
   int running_job = 0;
+  std::string waiting_stage;  // asked for meanwhile, begins when that job is done; empty: none
 
   StartPageState start_page;
   PhotosStepState photos;
@@ -140,13 +142,14 @@ StageState state_of(const Workspace& workspace, const std::string& stage);
 bool is_shown(const Workspace& workspace, const std::string& stage);  // outdated or current
 // Whether the results shown of a stage and of one before it belong together.
 bool is_made_from(const Workspace& workspace, const std::string& stage, const std::string& input);
-// Whether a job is at work that makes the stage's result.
+// Whether a job is at work, or waits, that makes the stage's result.
 bool is_running(const Workspace& workspace, const std::string& stage);
 // Why the stages up to this one can't run now; empty when they can.
 std::string obstacle_to(const Workspace& workspace, const std::string& stage);
 
-// Starts a job that makes all stages up to this one; what is finished is loaded instead. Does
-// nothing while one is at work on it.
+// Starts a job that makes all stages up to this one; what is finished is loaded instead. Waits for
+// the job at work if the project still asks for what that makes, and stops it otherwise; does
+// nothing while one is at work on this stage.
 void run_to(Workspace& workspace, const std::string& stage);
 // Loads the stage's result if the cache holds it and it isn't shown yet.
 void load_if_stored(Workspace& workspace, const std::string& stage);

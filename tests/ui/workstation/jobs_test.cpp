@@ -73,7 +73,8 @@ TEST(Jobs, AJobThatEndedBeforeItHeardOfTheStopInstallsNothingEither) {
   const int id = jobs.start(
       "quick", [&](Progress&) { return worked = true, 1; }, [&](int) { installed = true; });
   while (!worked) std::this_thread::sleep_for(1ms);
-  while (jobs.is_open(id)) std::this_thread::sleep_for(1ms);
+  while (jobs.busy(Lane::background)) std::this_thread::sleep_for(1ms);
+  EXPECT_TRUE(jobs.is_open(id));
   jobs.cancel(id);  // too late: it has left the lane
   jobs.collect();
   EXPECT_TRUE(installed);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/project/presets.h"
@@ -154,6 +155,79 @@ TEST(Workstation, ClosingDuringAJobLosesNothing) {
   untouched.recipe.opacity.passes = 2;
   const bosk::Run run = run_stages(untouched, gather_capture(untouched), {"pack"}, progress);
   EXPECT_EQ(*hand.workspace().results.package, *run.results.package);
+}
+
+class RunOfStages : public testing::Test {
+ protected:
+  RunOfStages() {
+    open_project(workspace(), project.folder);
+    EXPECT_TRUE(hand.settle());
+  }
+  Workspace& workspace() { return hand.workspace(); }
+  StageState state(const char* stage) { return state_of(workspace(), stage); }
+  void wait_until_at_work() {
+    ASSERT_TRUE(hand.wait_for([&] {
+      const auto jobs = workspace().jobs.now();
+      return !jobs.empty() && jobs[0].fraction > 0.2;
+    }));
+  }
+  std::size_t stopped_jobs() {
+    const auto& records = workspace().jobs.records();
+    return std::size_t(std::count_if(records.begin(), records.end(), [](const JobRecord& record) {
+      return record.end != JobRecord::End::done;
+    }));
+  }
+
+  const ScratchFolder scratch;
+  const Project project = make_tiny_project(scratch.path());
+  Hand hand;
+};
+
+TEST_F(RunOfStages, ALaterStageWaitsForWhatIsAtWork) {
+  run_to(workspace(), "radiance");
+  wait_until_at_work();
+  const int job = workspace().running_job;
+  run_to(workspace(), "texture");
+  EXPECT_EQ(workspace().running_job, job);
+  EXPECT_TRUE(is_running(workspace(), "texture"));
+  hand.frame();
+  EXPECT_TRUE(hand.sees("job/drop"));
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(state("radiance"), StageState::current);
+  EXPECT_EQ(state("texture"), StageState::current);
+  EXPECT_EQ(stopped_jobs(), 0u);
+  EXPECT_FALSE(hand.sees("job/drop"));
+}
+
+TEST_F(RunOfStages, WhatWaitsCanBeDropped) {
+  run_to(workspace(), "opacity");
+  wait_until_at_work();
+  run_to(workspace(), "texture");
+  hand.frame();
+  hand.click("job/drop");
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(state("opacity"), StageState::current);
+  EXPECT_EQ(state("texture"), StageState::missing);
+}
+
+TEST_F(RunOfStages, NothingFollowsWhatWasStopped) {
+  run_to(workspace(), "radiance");
+  wait_until_at_work();
+  run_to(workspace(), "texture");
+  workspace().jobs.cancel(workspace().running_job);
+  ASSERT_TRUE(hand.settle());
+  EXPECT_NE(state("texture"), StageState::current);
+  EXPECT_FALSE(is_running(workspace(), "texture"));
+}
+
+TEST_F(RunOfStages, WorkThatIsOutOfDateIsNotWaitedFor) {
+  run_to(workspace(), "radiance");
+  wait_until_at_work();
+  edit(workspace(), option_edit(workspace().project(), "opacity.passes", "2"));
+  run_to(workspace(), "texture");
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(state("texture"), StageState::current);
+  EXPECT_EQ(stopped_jobs(), 1u);
 }
 
 }  // namespace

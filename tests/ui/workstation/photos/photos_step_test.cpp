@@ -265,7 +265,7 @@ TEST_F(PhotosStep, ReadingThatWasStoppedGoesOnOnlyWhenAsked) {
 
 TEST_F(PhotosStep, ReadingGoesOnWhereAJobEndsBetweenTwoFrames) {
   hand.drop({capture.photos()});
-  while (workspace().jobs.is_open(state().shelf.job.id)) std::this_thread::yield();
+  while (workspace().jobs.busy(Lane::interactive)) std::this_thread::yield();
   follow_photos(workspace());  // before its result could be collected
   EXPECT_FALSE(state().shelf.stopped);
   ASSERT_TRUE(hand.settle());
