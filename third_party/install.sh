@@ -8,7 +8,7 @@ packages=(
   # Tools
   g++ cmake ninja-build ccache pkg-config
   # Computing
-  libtbb-dev libglm-dev libopencv-dev libembree-dev
+  libtbb-dev libglm-dev libopencv-dev libembree-dev libeigen3-dev libmrcal-dev libmrgingham-dev
   # Files
   libopenimageio-dev openimageio-tools libopenexr-dev libimath-dev
   libzstd-dev libxxhash-dev libsquish-dev nlohmann-json3-dev
