@@ -82,12 +82,13 @@ RadianceVolume without_hidden(const RadianceVolume& volume, const std::vector<gl
   const int shift = volume.grid.level() - level;
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < volume.grid.size(); ++i) {
+    progress.check();
     const std::uint64_t block = morton_from_cell(glm::ivec3(volume.grid.cells()[i])) >> (3 * shift);
     const auto at = std::lower_bound(blocks.begin(), blocks.end(), block) - blocks.begin();
     const float alpha = 1.0f - std::exp(-volume.extinction[i]);
     if (double(best[std::size_t(at)] * alpha) >= prune) kept.push_back(std::uint32_t(i));
   }
-  return subset(volume, kept);
+  return subset(volume, kept, progress);
 }
 
 std::vector<std::uint32_t> all_of(const std::vector<glm::dvec3>& views) {

@@ -103,7 +103,7 @@ OpacityTree start_level(const OpacityTree& coarser, const std::vector<Silhouette
   if (coarser.extinction.empty()) {
     tree.extinction.assign(tree.grid.size(), kFirstExtinction);
   } else {
-    tree.extinction = refined_extinction(coarser.grid, coarser.extinction, tree.grid);
+    tree.extinction = refined_extinction(coarser.grid, coarser.extinction, tree.grid, progress);
   }
   return tree;
 }

@@ -10,10 +10,12 @@ namespace {
 
 // Interpolates; `mean` divides by the present corners' weights.
 std::vector<float> interpolated(const SparseGrid& coarser, const std::vector<float>& values,
-                                std::size_t stride, const SparseGrid& finer, bool mean) {
+                                std::size_t stride, const SparseGrid& finer, bool mean,
+                                const Progress& progress) {
   std::vector<float> result(finer.size() * stride, 0.0f);
   const auto& cells = finer.cells();
   tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t n) {
+    progress.check();
     const glm::vec3 at = (glm::vec3(cells[n]) + 0.5f) * 0.5f - 0.5f;
     const glm::vec3 base = glm::floor(at);
     float weights[8], present = 0.0f;
@@ -36,20 +38,16 @@ std::vector<float> interpolated(const SparseGrid& coarser, const std::vector<flo
 
 }  // namespace
 
-std::vector<float> refined(const SparseGrid& coarser, const std::vector<float>& values,
-                           std::size_t stride, const SparseGrid& finer) {
-  return interpolated(coarser, values, stride, finer, false);
-}
-
 std::vector<float> refined_mean(const SparseGrid& coarser, const std::vector<float>& values,
-                                std::size_t stride, const SparseGrid& finer) {
-  return interpolated(coarser, values, stride, finer, true);
+                                std::size_t stride, const SparseGrid& finer,
+                                const Progress& progress) {
+  return interpolated(coarser, values, stride, finer, true, progress);
 }
 
 std::vector<float> refined_extinction(const SparseGrid& coarser,
-                                      const std::vector<float>& extinction,
-                                      const SparseGrid& finer) {
-  std::vector<float> result = refined(coarser, extinction, 1, finer);
+                                      const std::vector<float>& extinction, const SparseGrid& finer,
+                                      const Progress& progress) {
+  std::vector<float> result = interpolated(coarser, extinction, 1, finer, false, progress);
   for (float& value : result) value *= 0.5f;
   return result;
 }

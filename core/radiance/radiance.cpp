@@ -23,12 +23,12 @@ constexpr int kCountedStep = 8;  // rays of blocks of so many pixels a side tell
 // Casting a phase's rays, for the progress: in passes over them, and as a share of a typical phase.
 constexpr double kCastingPasses = 0.5, kCastingShare = 0.15;
 
-RadianceVolume without_faint(const RadianceVolume& volume, float least) {
+RadianceVolume without_faint(const RadianceVolume& volume, float least, const Progress& progress) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < volume.grid.size(); ++i) {
     if (volume.extinction[i] >= least) kept.push_back(i);
   }
-  return subset(volume, kept);
+  return subset(volume, kept, progress);
 }
 
 // The volume one level finer: children that no photo sees empty, values interpolated.
@@ -41,11 +41,10 @@ RadianceVolume refined_volume(const RadianceVolume& volume,
   finer.grid = SparseGrid(
       level, carve_children(silhouettes, {volume.origin, volume.size_m}, parents, level, progress));
   progress.check();
-  finer.extinction = refined_extinction(volume.grid, volume.extinction, finer.grid);
-  progress.check();
-  finer.colour =
-      refined_mean(volume.grid, volume.colour, std::size_t(volume.coefficients()) * 3, finer.grid);
-  return without_faint(finer, kFaintStart);
+  finer.extinction = refined_extinction(volume.grid, volume.extinction, finer.grid, progress);
+  finer.colour = refined_mean(volume.grid, volume.colour, std::size_t(volume.coefficients()) * 3,
+                              finer.grid, progress);
+  return without_faint(finer, kFaintStart, progress);
 }
 
 // One stretch of the fit: a level, photos averaged over step x step pixels, and the extinction
@@ -238,7 +237,8 @@ Options describe(RadianceOptions& options) {
   };
 }
 
-RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint32_t>& kept) {
+RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint32_t>& kept,
+                      const Progress& progress) {
   RadianceVolume result{volume.origin, volume.size_m, {}, volume.degree, {}, {}};
   const std::size_t stride = std::size_t(volume.coefficients()) * 3;
   std::vector<glm::ivec3> cells;
@@ -246,6 +246,7 @@ RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint3
   result.extinction.reserve(kept.size());
   result.colour.reserve(kept.size() * stride);
   for (const std::uint32_t cell : kept) {
+    progress.check();
     cells.emplace_back(volume.grid.cells()[cell]);
     result.extinction.push_back(volume.extinction[cell]);
     const auto first = volume.colour.begin() + std::ptrdiff_t(cell * stride);
@@ -265,7 +266,7 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
   RadianceVolume volume{opacity.origin, opacity.size_m,     opacity.grid,
                         options.degree, opacity.extinction, {}};
   volume.colour.assign(volume.grid.size() * std::size_t(volume.coefficients()) * 3, 0.0f);
-  volume = without_faint(volume, kFaintStart);
+  volume = without_faint(volume, kFaintStart, progress);
   const std::vector<Phase> phases = phases_of(
       options, opacity.level(), finest_step(photos, mattes, volume, options.max_samples, progress));
   Epochs epochs(options, phases, photos, mattes, watcher);
@@ -290,7 +291,7 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
     step_part.emplace(progress, kCastingShare, 1.0);
     fit_volume(volume, cache, support, schedule_of(options, phase), progress,
                [&](double psnr_db) { return epochs.go_on(volume, psnr_db); });
-    volume = without_faint(volume, phase.faintest);
+    volume = without_faint(volume, phase.faintest, progress);
   }
   return volume;
 }

@@ -67,7 +67,8 @@ RadianceVolume refine_radiance(const Photos& photos, const Mattes& mattes,
                                Progress& progress, const RadianceWatcher& watcher = {});
 
 // The volume with the given cells alone; `kept` are cell numbers, ascending.
-RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint32_t>& kept);
+RadianceVolume subset(const RadianceVolume& volume, const std::vector<std::uint32_t>& kept,
+                      const Progress& progress);
 
 void write(BinaryWriter& writer, const RadianceVolume& volume);
 RadianceVolume read_radiance_volume(BinaryReader& reader);

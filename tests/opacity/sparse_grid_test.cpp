@@ -131,7 +131,7 @@ TEST(RefinedExtinction, HalvesWithTheCellEdgeInsideAUniformBlock) {
   for (int i = 0; i < 64; ++i) coarse.emplace_back(i % 4, i / 4 % 4, i / 16);
   const SparseGrid grid(2, coarse);
   for (const float value :
-       refined_extinction(grid, std::vector<float>(64, 0.8f), SparseGrid(3, fine))) {
+       refined_extinction(grid, std::vector<float>(64, 0.8f), SparseGrid(3, fine), Progress{})) {
     EXPECT_NEAR(value, 0.4f, 1e-6f);
   }
 }
@@ -139,7 +139,8 @@ TEST(RefinedExtinction, HalvesWithTheCellEdgeInsideAUniformBlock) {
 TEST(RefinedMean, DoesNotPullColoursTowardsAbsentCells) {
   const SparseGrid coarse(2, {{1, 1, 1}});
   const SparseGrid fine(3, {{2, 2, 2}, {3, 3, 3}});
-  for (const float value : refined_mean(coarse, {0.6f}, 1, fine)) EXPECT_NEAR(value, 0.6f, 1e-6f);
+  for (const float value : refined_mean(coarse, {0.6f}, 1, fine, Progress{}))
+    EXPECT_NEAR(value, 0.6f, 1e-6f);
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(Subset, KeepsTheNamedCellsWithTheirValues) {
                               0,
                               {0.1f, 0.2f, 0.3f},
                               {1, 2, 3, 4, 5, 6, 7, 8, 9}};
-  const RadianceVolume part = subset(volume, {0, 2});
+  const RadianceVolume part = subset(volume, {0, 2}, Progress{});
   EXPECT_EQ(part.extinction, (std::vector<float>{0.1f, 0.3f}));
   EXPECT_EQ(part.colour, (std::vector<float>{1, 2, 3, 7, 8, 9}));
   EXPECT_EQ(part.grid.find(7, 7, 7), 1);
