@@ -11,14 +11,10 @@ namespace {
 
 constexpr int kMostRounds = 12;
 constexpr std::size_t kFewestBoards = 3;
-constexpr double kMisfit = 3.0;              // times the median board's error
-constexpr double kLeastMisfit = 1.0 / 6000;  // of the frame's diagonal: 0.3 px of 1800
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
+constexpr double kMisfit = 3.0;  // times the median board's error
+// Of the frame's diagonal: 0.3 px of 1800, below which no board is a misfit and no corner gross;
+// and 3.6 px, which a lens with too few terms may miss a good corner by.
+constexpr double kLeastMisfit = 1.0 / 6000, kPoorLens = 1.0 / 500;
 
 // For each board the error that three quarters of its corners stay under: a few gross corners don't
 // move it, a bent board does.
@@ -36,14 +32,13 @@ std::vector<double> board_errors(const LensState& state, const LensProblem& prob
   return result;
 }
 
-std::optional<std::size_t> worst_misfit(const LensState& state, const LensProblem& problem) {
-  if (problem.boards <= kFewestBoards) return std::nullopt;
-  const std::vector<double> errors = board_errors(state, problem);
-  const double diagonal = std::hypot(double(problem.width_px), double(problem.height_px));
-  const double limit = std::max(kMisfit * quantile(errors, 0.5), kLeastMisfit * diagonal);
-  const auto worst = std::max_element(errors.begin(), errors.end());
-  if (*worst <= limit) return std::nullopt;
-  return std::size_t(worst - errors.begin());
+double diagonal_px(const LensProblem& problem) {
+  return std::hypot(double(problem.width_px), double(problem.height_px));
+}
+
+// A board's error beyond which it doesn't belong to the others.
+double misfit_limit(const std::vector<double>& errors, const LensProblem& problem) {
+  return std::max(kMisfit * quantile(errors, 0.5), kLeastMisfit * diagonal_px(problem));
 }
 
 void leave_out(LensFit& fit, std::size_t number) {
@@ -56,46 +51,64 @@ void leave_out(LensFit& fit, std::size_t number) {
   fit.boards.erase(fit.boards.begin() + std::ptrdiff_t(number));
 }
 
+// Places a board anew, without its gross corners, which may have pulled its pose; they are marked.
+// Whether that brings it below the limit.
+bool mended(LensFit& fit, std::size_t number, double limit) {
+  const auto placed =
+      placed_board(fit.state, fit.problem, number, kLeastMisfit * diagonal_px(fit.problem));
+  if (!placed || placed->three_quarters_px() > limit) return false;
+  const auto pool = fit.problem.board(number);
+  const bool changed = !std::equal(pool.begin(), pool.end(), placed->problem.pool.begin(),
+                                   [](const auto& a, const auto& b) { return a.z == b.z; });
+  std::copy(placed->problem.pool.begin(), placed->problem.pool.end(), pool.begin());
+  fit.state.camera_from_board[number] = placed->camera_from_board;
+  return changed;
+}
+
+// Mends or leaves out the board that stands out most; false where none does.
+bool treat_misfit(LensFit& fit) {
+  if (fit.problem.boards <= kFewestBoards) return false;
+  const std::vector<double> errors = board_errors(fit.state, fit.problem);
+  const double limit = misfit_limit(errors, fit.problem);
+  const auto worst = std::max_element(errors.begin(), errors.end());
+  if (*worst <= limit) return false;
+  const auto number = std::size_t(worst - errors.begin());
+  if (!mended(fit, number, limit)) leave_out(fit, number);
+  return true;
+}
+
 // Solves until neither a board nor a corner stands out.
 void settle(LensFit& fit, const Freed& freed, Progress& progress) {
   solve_lens(fit.state, fit.problem, freed);
-  for (int round = 0; round < kMostRounds + int(fit.boards.size()); ++round) {
+  for (int round = 0; round < kMostRounds + 2 * int(fit.boards.size()); ++round) {
     progress.check();
-    if (const auto misfit = worst_misfit(fit.state, fit.problem)) {
-      leave_out(fit, *misfit);
-    } else if (mark_outliers(fit.problem, corner_errors(fit.state, fit.problem)) == 0) {
+    if (!treat_misfit(fit) &&
+        mark_outliers(fit.problem, corner_errors(fit.state, fit.problem)) == 0)
       return;
-    }
     solve_lens(fit.state, fit.problem, freed);
   }
 }
 
-// All boards and corners again, under the fit's lens: what a poorer lens couldn't explain gets
-// another chance. Boards without a pose stay out.
+// All boards and corners again, placed under the fit's lens: what a poorer lens couldn't explain
+// gets another chance. What misses this lens by far stays out, so that no solve is pulled by it.
 void restore(LensFit& fit, const LensProblem& whole) {
-  std::vector<std::size_t> boards;
-  std::vector<mrcal_pose_t> poses;
-  fit.misfits.clear();
+  const double limit = misfit_limit(board_errors(fit.state, fit.problem), fit.problem);
+  LensFit restored{{}, whole, fit.state, {}};
+  restored.problem.pool.clear();
+  restored.state.camera_from_board.clear();
   for (std::size_t board = 0; board < whole.boards; ++board) {
-    const auto kept = std::find(fit.boards.begin(), fit.boards.end(), board);
-    const auto pose = kept == fit.boards.end()
-                          ? board_pose_seen(fit.state, whole, board)
-                          : fit.state.camera_from_board[std::size_t(kept - fit.boards.begin())];
-    if (pose) {
-      boards.push_back(board);
-      poses.push_back(*pose);
-    } else {
-      fit.misfits.push_back(board);
+    const auto placed = placed_board(fit.state, whole, board, kPoorLens * diagonal_px(whole));
+    if (!placed || placed->three_quarters_px() > limit) {
+      restored.misfits.push_back(board);
+      continue;
     }
+    restored.boards.push_back(board);
+    restored.problem.pool.insert(restored.problem.pool.end(), placed->problem.pool.begin(),
+                                 placed->problem.pool.end());
+    restored.state.camera_from_board.push_back(placed->camera_from_board);
   }
-  fit.boards = boards;
-  fit.problem = part_of(whole, boards);
-  fit.state.camera_from_board = poses;
-}
-
-// Leaves out, before any solve, the boards that miss the present lens by far.
-void leave_out_misfits(LensFit& fit) {
-  while (const auto misfit = worst_misfit(fit.state, fit.problem)) leave_out(fit, *misfit);
+  restored.problem.boards = restored.boards.size();
+  if (restored.boards.size() >= kFewestBoards) fit = std::move(restored);
 }
 
 }  // namespace
@@ -110,10 +123,10 @@ std::optional<LensFit> fit_lens(const LensProblem& problem, LensFamily family, b
   solve_lens(fit.state, fit.problem, {true, false, false});
   progress.check();
   settle(fit, {true, true, false}, progress);
+  restore(fit, problem);
   fit.state = enlarged(fit.state, family);
   settle(fit, {true, true, warp}, progress);
   restore(fit, problem);
-  leave_out_misfits(fit);
   settle(fit, {true, true, warp}, progress);
   return fit;
 }

@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kFewestCorners = 6;
 constexpr double kFocalSeeds[] = {0.6, 0.85, 1.2, 1.7, 2.5, 4.0};  // of the longer side
 constexpr double kLeastFocal = 0.2, kMostFocal = 20.0;             // of the longer side, believable
+constexpr double kGross = 6.0;                                     // times the median error
+constexpr int kMostPlacings = 6;
 
 struct Pairs {
   std::vector<cv::Point3f> on_board;
@@ -67,29 +69,21 @@ LensState plain_lens(const LensProblem& problem, double focal_px) {
   return state;
 }
 
-double median_error(const LensState& state, const LensProblem& problem) {
-  const std::vector<glm::dvec2> errors = corner_errors(state, problem);
+std::vector<double> counting_errors(const LensProblem& problem,
+                                    const std::vector<glm::dvec2>& errors) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < errors.size(); ++i)
     if (problem.pool[i].z > 0.0) lengths.push_back(glm::length(errors[i]));
-  if (lengths.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths;
 }
 
-std::optional<LensState> with_poses(LensState state, const LensProblem& problem) {
-  for (std::size_t board = 0; board < problem.boards; ++board) {
-    const auto pose = board_pose_seen(state, problem, board);
-    if (!pose) return std::nullopt;
-    state.camera_from_board.push_back(*pose);
-  }
-  return state;
+double median_error(const LensState& state, const LensProblem& problem) {
+  const auto lengths = counting_errors(problem, corner_errors(state, problem));
+  return lengths.empty() ? std::numeric_limits<double>::infinity() : quantile(lengths, 0.5);
 }
 
-}  // namespace
-
-std::optional<mrcal_pose_t> board_pose_seen(const LensState& state, const LensProblem& problem,
+// The pose that solvePnP gives a flat board, every corner that counts alike.
+std::optional<mrcal_pose_t> flat_board_pose(const LensState& state, const LensProblem& problem,
                                             std::size_t board) {
   const Pairs pairs = pairs_of(problem, board);
   if (pairs.on_board.size() < kFewestCorners) return std::nullopt;
@@ -112,6 +106,57 @@ std::optional<mrcal_pose_t> board_pose_seen(const LensState& state, const LensPr
     if (!std::isfinite(turn[axis]) || !std::isfinite(shift[axis])) return std::nullopt;
   }
   return pose;
+}
+
+std::optional<LensState> with_poses(LensState state, const LensProblem& problem) {
+  for (std::size_t board = 0; board < problem.boards; ++board) {
+    const auto pose = flat_board_pose(state, problem, board);
+    if (!pose) return std::nullopt;
+    state.camera_from_board.push_back(*pose);
+  }
+  return state;
+}
+
+// Marks the corners that are far off; returns how many.
+std::size_t mark_gross(PlacedBoard& placed, double gross_px) {
+  const LensProblem& problem = placed.problem;
+  const double median = quantile(counting_errors(problem, placed.errors), 0.5);
+  const double limit = std::max(kGross * median, gross_px);
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < placed.errors.size(); ++i) {
+    if (problem.pool[i].z <= 0.0 || glm::length(placed.errors[i]) <= limit) continue;
+    placed.problem.pool[i].z = -1.0;
+    ++marked;
+  }
+  return marked;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double PlacedBoard::three_quarters_px() const {
+  const std::vector<double> lengths = counting_errors(problem, errors);
+  return lengths.empty() ? std::numeric_limits<double>::infinity() : quantile(lengths, 0.75);
+}
+
+std::optional<PlacedBoard> placed_board(const LensState& state, const LensProblem& problem,
+                                        std::size_t board, double gross_px) {
+  PlacedBoard placed{{}, part_of(problem, {board}), {}};
+  for (int round = 0; round < kMostPlacings; ++round) {
+    const auto pose = flat_board_pose(state, placed.problem, 0);
+    if (!pose) return std::nullopt;
+    LensState alone{state.family, state.intrinsics, {*pose}, state.warp_m};
+    solve_lens(alone, placed.problem, {false, false, false});
+    placed.camera_from_board = alone.camera_from_board[0];
+    placed.errors = corner_errors(alone, placed.problem);
+    if (mark_gross(placed, gross_px) == 0) break;
+  }
+  return placed;
 }
 
 std::optional<LensState> lens_seed(const LensProblem& problem) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/calibrate/lens_bundle.h"
 
@@ -12,8 +13,23 @@ namespace bosk {
 // corner error is smallest wins. None when no board gives a pose.
 std::optional<LensState> lens_seed(const LensProblem& problem);
 
-// The board's pose under the state's lens, from its corners that count; none for fewer than 6.
-std::optional<mrcal_pose_t> board_pose_seen(const LensState& state, const LensProblem& problem,
-                                            std::size_t board);
+// A board alone under a lens.
+struct PlacedBoard {
+  mrcal_pose_t camera_from_board{};
+  LensProblem problem;             // it alone; corners that are far off besides marked as outliers
+  std::vector<glm::dvec2> errors;  // of its corners
+
+  double three_quarters_px()
+      const;  // what three quarters of its corners that count miss by at most
+};
+
+// The board's pose under the state's lens and warp, from its corners that count; those that miss by
+// over six times the median, and by over `gross_px`, are marked and the others placed again. None
+// for fewer than 6 corners.
+std::optional<PlacedBoard> placed_board(const LensState& state, const LensProblem& problem,
+                                        std::size_t board, double gross_px);
+
+// The value that a share of the values, 0 to 1, does not exceed. At least one value.
+double quantile(std::vector<double> values, double share);
 
 }  // namespace bosk

@@ -137,13 +137,10 @@ void note_board(LensCalibration& result, const Solved& solved, std::size_t board
 // How far a board that was left out misses the lens of the others.
 void note_misfit(LensCalibration& result, const Solved& solved, const LensProblem& all,
                  std::size_t board) {
-  LensProblem own = part_of(all, {board});
   BoardFinding& finding = result.boards[solved.views[board]];
-  if (const auto pose = board_pose_seen(solved.state, own, 0)) {
-    LensState state = solved.state;
-    state.camera_from_board = {*pose};
-    finding.rms_px = rms_px(own.pool, corner_errors(state, own));
-    finding.camera_from_board = transform_of(*pose);
+  if (const auto placed = placed_board(solved.state, all, board, 0.0)) {
+    finding.rms_px = rms_px(placed->problem.pool, placed->errors);
+    finding.camera_from_board = transform_of(placed->camera_from_board);
     finding.tilt = tilt_of(finding.camera_from_board);
   }
   finding.reason = "its corners miss the lens of the other photos by " +

@@ -9,6 +9,13 @@ namespace {
 
 constexpr std::size_t kFewestCorners = 6;
 
+bool is_of_board(const BoardView& view, const BoardShape& shape) {
+  return std::all_of(view.corners.begin(), view.corners.end(), [&](const BoardCorner& corner) {
+    return corner.column >= 0 && corner.row >= 0 && corner.column < shape.columns &&
+           corner.row < shape.rows;
+  });
+}
+
 std::string size_text(const BoardView& view) {
   return std::to_string(view.width_px) + " x " + std::to_string(view.height_px);
 }
@@ -65,6 +72,8 @@ std::vector<std::size_t> views_that_match(std::span<const BoardView> views, cons
     else if (views[i].corners.size() < kFewestCorners)
       finding.reason = "only " + std::to_string(views[i].corners.size()) +
                        " corners of the board were found, and 6 are needed";
+    else if (!is_of_board(views[i], shape))
+      finding.reason = "its corners are those of another board; look for the board again";
     else
       numbers.push_back(i);
     findings.push_back(std::move(finding));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/calibrate/lens_pictures.h"
 #include "core/calibrate/lens_solve.h"
 #include "core/geometry/rotation.h"
@@ -295,6 +297,70 @@ int run_find(int, char**) {
   return 0;
 }
 
+bool sees_its_frame(const Lens& lens) {
+  for (const double x : {-0.5, lens.width_px - 0.5})
+    for (const double y : {-0.5, lens.height_px - 0.5})
+      if (!camera_from_pixel(lens, {x, y})) return false;
+  return true;
+}
+
+// Focal lengths from wide to tele, barrel to pincushion, principal points off by 4 %.
+Lens random_lens(std::uint64_t seed) {
+  Random random(seed, 21);
+  Lens lens = phone_lens(4000, 3000);
+  const glm::dvec2 middle = lens.principal_px;
+  do {
+    lens.focal_px = glm::dvec2(4000.0 * std::exp(random.uniform(std::log(0.6), std::log(3.0))));
+    lens.principal_px =
+        middle + 160.0 * glm::dvec2(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    lens.distortion = {random.uniform(-0.3, 0.1), random.uniform(0.0, 0.08),
+                       random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3)};
+  } while (!sees_its_frame(lens));
+  return lens;
+}
+
+// 18 boards with gross corners, one of them bent and one seen through another zoom.
+std::vector<BoardView> spoilt_views(const Lens& lens, std::uint64_t seed) {
+  auto views = synthetic_views(lens, {.boards = 18, .gross_share = 0.05, .seed = seed});
+  Lens zoomed = lens;
+  zoomed.focal_px *= 1.3;
+  views[4] = synthetic_views(lens, {.boards = 1, .warp_m = {6e-3, 3e-3}, .seed = seed + 1000})[0];
+  views[11] = synthetic_views(zoomed, {.boards = 1, .seed = seed + 2000})[0];
+  return views;
+}
+
+int run_seeds(int count, char** arguments) {
+  Progress quiet;
+  const int seeds = count > 2 ? std::stoi(arguments[2]) : 50;
+  std::printf("18 boards, 12 megapixels, 0.1 px, 5 %% gross corners, one board bent, one zoomed\n");
+  int solved = 0, bent = 0, zoomed = 0, others = 0;
+  std::vector<double> off_px, times_s;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Lens lens = random_lens(std::uint64_t(seed));
+    const auto views = spoilt_views(lens, std::uint64_t(seed));
+    const Stopwatch watch;
+    const LensCalibration result = calibrate_lens(views, SyntheticBoards{}.shape, {}, quiet);
+    times_s.push_back(watch.wall_s());
+    const LensDifference off = lens_difference(lens, result.profile.lens);
+    off_px.push_back(off.rms_px);
+    solved += result.verdict != Verdict::refused && off.rms_px < 1.0 ? 1 : 0;
+    for (std::size_t i = 0; i < result.boards.size(); ++i)
+      if (!result.boards[i].used) ++(i == 4 ? bent : i == 11 ? zoomed : others);
+    if (off.rms_px >= 1.0 || result.verdict == Verdict::refused)
+      std::printf("seed %d: off %.3f px rms, f %.0f, k1 %.3f, %s: %s\n", seed, off.rms_px,
+                  lens.focal_px.x, lens.distortion[0], text_of(result.verdict),
+                  result.sentences.front().c_str());
+  }
+  std::sort(off_px.begin(), off_px.end());
+  std::sort(times_s.begin(), times_s.end());
+  std::printf(
+      "solved to 1 px rms: %d of %d; off the truth: median %.3f, worst %.3f px rms\n"
+      "left out: bent %d, zoomed %d, others %d; wall: median %.2f, worst %.2f s\n",
+      solved, seeds, off_px[off_px.size() / 2], off_px.back(), bent, zoomed, others,
+      times_s[times_s.size() / 2], times_s.back());
+  return 0;
+}
+
 int print_help() {
   std::printf(
       "lens_benchmark                                         synthetic boards: time and accuracy\n"
@@ -302,6 +368,7 @@ int print_help() {
       "OUT\n"
       "lens_benchmark spread [SEEDS]                          predicted uncertainty beside the "
       "spread\n"
+      "lens_benchmark seeds [SEEDS]                           lenses of all kinds, spoilt boards\n"
       "lens_benchmark find                                    painted boards, 1.5 to 24 "
       "megapixels\n");
   return 0;
@@ -311,6 +378,7 @@ int run_lens(int count, char** arguments) {
   const std::string first = count > 1 ? arguments[1] : "";
   if (first == "--help") return print_help();
   if (first == "spread") return run_spread(count, arguments);
+  if (first == "seeds") return run_seeds(count, arguments);
   if (first == "find") return run_find(count, arguments);
   return count > 2 ? run_folder(count, arguments) : run_synthetic(count, arguments);
 }
