@@ -41,6 +41,8 @@ struct BoardCorner {
   int column = 0, row = 0;  // from 0 to the shape's columns - 1 and rows - 1
   glm::dvec2 pixel{0.0};    // of the picture given
   double sigma_px = 0.1;    // along each axis, from the contrast and noise around it
+
+  bool operator==(const BoardCorner&) const = default;
 };
 
 // Corners by row, then by column. A chessboard has all of them or none (empty); a ChArUco those

@@ -147,9 +147,31 @@ LensIdentity identity_from(const Node& node) {
   return identity;
 }
 
-std::string focal_text(double focal_mm) {
+std::string focal_digits(double focal_mm) {
   const bool whole = std::abs(focal_mm - std::round(focal_mm)) < 0.005;
-  return number_text(focal_mm, whole ? 0 : 2) + " mm";
+  return number_text(focal_mm, whole ? 0 : 2);
+}
+
+std::string focal_text(double focal_mm) { return focal_digits(focal_mm) + " mm"; }
+
+// Make and model; makers often begin the model with their own name.
+std::string body_text(const LensIdentity& identity) {
+  const bool repeats = identity.model.starts_with(identity.make);
+  return repeats || identity.make.empty() ? identity.model : identity.make + " " + identity.model;
+}
+
+// Its letters and digits in lower case, what lies between as one underscore each.
+std::string file_words(const std::string& text) {
+  std::string words;
+  bool between = false;
+  for (const char c : text) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    const bool kept = capital || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (kept && between && !words.empty()) words += '_';
+    if (kept) words += char(capital ? c - 'A' + 'a' : c);
+    between = !kept;
+  }
+  return words;
 }
 
 void check_same_camera(const LensIdentity& profile, const LensIdentity& photo) {
@@ -173,11 +195,16 @@ LensIdentity identity_of(const PhotoMetadata& metadata) {
 }
 
 std::string identity_text(const LensIdentity& identity) {
-  const bool repeats = identity.model.starts_with(identity.make);
-  std::string text =
-      repeats || identity.make.empty() ? identity.model : identity.make + " " + identity.model;
+  std::string text = body_text(identity);
   if (text.empty()) text = "a camera that EXIF doesn't name";
   return identity.focal_mm ? text + " at " + focal_text(*identity.focal_mm) : text;
+}
+
+std::string lens_profile_name(const LensIdentity& identity) {
+  std::string name = file_words(body_text(identity)).substr(0, 100);
+  if (identity.focal_mm)
+    name += (name.empty() ? "" : "_") + focal_digits(*identity.focal_mm) + "mm";
+  return (name.empty() ? "lens" : name) + ".json";
 }
 
 void save_lens_profile(const std::filesystem::path& path, const LensProfile& profile) {

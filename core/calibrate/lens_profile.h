@@ -22,6 +22,10 @@ LensIdentity identity_of(const PhotoMetadata& metadata);
 // "Canon EOS R5 at 35 mm"; "a camera that EXIF doesn't name".
 std::string identity_text(const LensIdentity& identity);
 
+// "canon_eos_r5_35mm.json": the file's name for a camera and focal length, the same on every
+// system; "lens.json" where EXIF is silent.
+std::string lens_profile_name(const LensIdentity& identity);
+
 // A calibrated lens, kept for later captures. Maps cover the frame: each of their pixels stands for
 // an equal share of it.
 struct LensProfile {

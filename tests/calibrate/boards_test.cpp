@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <opencv2/core/utility.hpp>
 #include <utility>
 
 #include "core/base/error.h"
@@ -109,6 +110,21 @@ TEST(FindBoard, APictureWithoutABoardGivesNone) {
   EXPECT_TRUE(find_board(picture, kCharuco, quiet).empty());
   EXPECT_TRUE(find_board(Image<std::uint8_t>(8, 8), kNineBySix, quiet).empty());
   EXPECT_TRUE(find_board({}, kNineBySix, quiet).empty());
+}
+
+TEST(FindBoard, SameWithOneThreadAndMany) {
+  const Lens lens = phone_lens(640, 480);
+  for (const BoardShape& shape : {kNineBySix, kCharuco}) {
+    const RigidTransform pose = board_pose(shape, lens, {0.3, -0.4, 0.2}, {320, 240}, 0.4);
+    const auto picture = paint_board(shape, lens, pose);
+    const int usual = cv::getNumThreads();
+    const auto many = find_board(picture, shape, quiet);
+    cv::setNumThreads(1);
+    const auto one = find_board(picture, shape, quiet);
+    cv::setNumThreads(usual);
+    EXPECT_FALSE(many.empty());
+    EXPECT_EQ(many, one);
+  }
 }
 
 TEST(FindBoard, StopsWhenAsked) {

@@ -126,5 +126,12 @@ TEST(LensIdentity, IsCalledAsPeopleCallIt) {
   EXPECT_EQ(identity_text({}), "a camera that EXIF doesn't name");
 }
 
+TEST(LensProfileName, IsAPlainFileName) {
+  EXPECT_EQ(lens_profile_name({"Canon", "Canon EOS R5", 35.0}), "canon_eos_r5_35mm.json");
+  EXPECT_EQ(lens_profile_name({"../A/", "\\B..", 5.4}), "a_b_5.40mm.json");
+  EXPECT_EQ(lens_profile_name({"\xff", "", {}}), "lens.json");
+  EXPECT_EQ(lens_profile_name({}), "lens.json");
+}
+
 }  // namespace
 }  // namespace bosk
