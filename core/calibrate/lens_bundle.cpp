@@ -19,12 +19,6 @@ double median_sigma(std::span<const BoardView* const> views) {
   return *middle;
 }
 
-std::vector<mrcal_observation_board_t> observations(std::size_t boards) {
-  std::vector<mrcal_observation_board_t> result(boards);
-  for (std::size_t i = 0; i < boards; ++i) result[i] = {{0, -1}, int(i)};
-  return result;
-}
-
 mrcal_problem_selections_t selections(const Freed& freed, LensFamily family) {
   mrcal_problem_selections_t result{};
   result.do_optimize_intrinsics_core = freed.core;
@@ -36,6 +30,14 @@ mrcal_problem_selections_t selections(const Freed& freed, LensFamily family) {
 }
 
 }  // namespace
+
+std::vector<mrcal_observation_board_t> board_observations(std::size_t boards) {
+  std::vector<mrcal_observation_board_t> result(boards);
+  for (std::size_t i = 0; i < boards; ++i) result[i] = {{0, -1}, int(i)};
+  return result;
+}
+
+mrcal_problem_constants_t constants_without_points() { return {0.01, 1000.0}; }
 
 LensProblem lens_problem(std::span<const BoardView* const> views, const BoardShape& shape) {
   assert(!views.empty());
@@ -77,9 +79,9 @@ LensState part_of(const LensState& state, const std::vector<std::size_t>& boards
 void solve_lens(LensState& state, const LensProblem& problem, const Freed& freed) {
   assert(state.camera_from_board.size() == problem.boards);
   const mrcal_lensmodel_t model = mrcal_model(state.family);
-  const mrcal_problem_constants_t constants{0.01, 1000.0};  // of points, of which there are none
+  const mrcal_problem_constants_t constants = constants_without_points();
   const int size[] = {problem.width_px, problem.height_px};
-  const auto seen = observations(problem.boards);
+  const auto seen = board_observations(problem.boards);
   std::vector<mrcal_point3_t> pool = problem.pool;  // mrcal may write to it
   mrcal_optimize(nullptr, 0, nullptr, 0, state.intrinsics.data(), nullptr,
                  state.camera_from_board.data(), nullptr, &state.warp_m, 1, 0, int(problem.boards),

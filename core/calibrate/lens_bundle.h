@@ -19,6 +19,11 @@ inline mrcal_point3_t mrcal_point(double x, double y, double z) {
   return point;
 }
 
+// What mrcal takes beside the corners: photo i shows board i; a range of distances, of points that
+// there are none of.
+std::vector<mrcal_observation_board_t> board_observations(std::size_t boards);
+mrcal_problem_constants_t constants_without_points();
+
 // Boards that one lens saw, as mrcal takes them: the lens stands at the origin and each photo has a
 // board pose of its own (mrcal's "frame").
 struct LensProblem {

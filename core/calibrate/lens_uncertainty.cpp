@@ -1,6 +1,7 @@
 #include "core/calibrate/lens_uncertainty.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace bosk {
@@ -96,41 +97,47 @@ BoardNormals normals_of(const LensState& state, const LensProblem& problem, std:
   return normals;
 }
 
-// Squared weights of mrcal's regularisation of each shared term: its residuals are weight * term
-// (distortion) and weight * (centre - middle of the frame), so a state whose terms are all 1 and
-// whose centre is 1 px off shows them.
-Eigen::VectorXd regularisation(const LensState& state, const LensProblem& problem,
-                               Eigen::Index shared) {
+// All measurements of mrcal at a state, its regularisation last: of the distortion's terms, then of
+// the centre.
+std::vector<double> measurements(const LensState& state, const LensProblem& problem) {
   const mrcal_lensmodel_t model = mrcal_model(state.family);
   mrcal_problem_selections_t selections{};
   selections.do_optimize_intrinsics_core = true;
   selections.do_optimize_intrinsics_distortions = true;
   selections.do_apply_regularization = true;
-  std::vector<double> probe = state.intrinsics;
-  probe[2] = 0.5 * (problem.width_px - 1) + 1.0;
-  probe[3] = 0.5 * (problem.height_px - 1) + 1.0;
-  std::fill(probe.begin() + 4, probe.end(), 1.0);
   const int boards = int(problem.boards), columns = problem.shape.columns,
             rows = problem.shape.rows;
-  std::vector<mrcal_observation_board_t> seen(problem.boards);
-  for (int i = 0; i < boards; ++i) seen[std::size_t(i)] = {{0, -1}, i};
+  const std::vector<mrcal_observation_board_t> seen = board_observations(problem.boards);
   const int states = mrcal_num_states(1, 0, boards, 0, 0, boards, selections, &model);
   const int measured =
       mrcal_num_measurements(boards, 0, columns, rows, 1, 0, boards, 0, 0, selections, &model);
   std::vector<double> packed(std::size_t(states), 0.0), x(std::size_t(measured), 0.0);
   const int size[] = {problem.width_px, problem.height_px};
-  const mrcal_problem_constants_t constants{0.01, 1000.0};
+  const mrcal_problem_constants_t constants = constants_without_points();
   mrcal_optimizer_callback(packed.data(), int(packed.size() * sizeof(double)), x.data(),
-                           int(x.size() * sizeof(double)), nullptr, probe.data(), nullptr,
-                           state.camera_from_board.data(), nullptr, nullptr, 1, 0, boards, 0, 0,
-                           seen.data(), nullptr, boards, 0, problem.pool.data(), &model, size,
+                           int(x.size() * sizeof(double)), nullptr, state.intrinsics.data(),
+                           nullptr, state.camera_from_board.data(), nullptr, nullptr, 1, 0, boards,
+                           0, 0, seen.data(), nullptr, boards, 0, problem.pool.data(), &model, size,
                            selections, &constants, problem.shape.square_m, columns, rows, false);
+  return x;
+}
+
+// Squared weights of mrcal's regularisation of each shared term. Its residuals are weight * term
+// (distortion) and weight * (centre - middle of the frame), so a state whose terms are all 1 and
+// whose centre is 1 px off shows them.
+Eigen::VectorXd regularisation(const LensState& state, const LensProblem& problem,
+                               Eigen::Index shared) {
+  LensState probe = state;
+  probe.intrinsics[2] = 0.5 * (problem.width_px - 1) + 1.0;
+  probe.intrinsics[3] = 0.5 * (problem.height_px - 1) + 1.0;
+  std::fill(probe.intrinsics.begin() + 4, probe.intrinsics.end(), 1.0);
+  const std::vector<double> x = measurements(probe, problem);
+  const std::size_t first = 2 * problem.pool.size(), terms = state.intrinsics.size() - 4;
+  assert(x.size() == first + terms + 2);
   Eigen::VectorXd squared = Eigen::VectorXd::Zero(shared);
-  const std::size_t first = std::size_t(boards * columns * rows * 2);
-  const std::size_t terms = state.intrinsics.size() - 4;
   for (std::size_t i = 0; i < terms; ++i)
     squared[Eigen::Index(4 + i)] = x[first + i] * x[first + i];
-  for (std::size_t i = 0; i < 2 && first + terms + i < x.size(); ++i)
+  for (std::size_t i = 0; i < 2; ++i)
     squared[Eigen::Index(2 + i)] = x[first + terms + i] * x[first + terms + i];
   return squared;
 }
@@ -145,6 +152,36 @@ MatrixXd inverse_of(const MatrixXd& symmetric) {
   return scale.asDiagonal() * scaled.ldlt().solve(identity) * scale.asDiagonal();
 }
 
+// The normal equations of lens and warp once every pose has been eliminated (Schur complement).
+struct Reduced {
+  MatrixXd normals;
+  MatrixXd turn_by_shared;               // 3 x k: how the boards' mean turn follows lens and warp
+  Matrix3d own_turn = Matrix3d::Zero();  // the mean turn's covariance besides, for a sigma of 1
+};
+
+Reduced without_poses(const LensState& state, const LensProblem& problem, Eigen::Index shared) {
+  Reduced reduced{MatrixXd::Zero(shared, shared), MatrixXd::Zero(3, shared)};
+  const double share = 1.0 / double(problem.boards);
+  for (std::size_t board = 0; board < problem.boards; ++board) {
+    const BoardNormals normals = normals_of(state, problem, board, shared);
+    const MatrixXd pose_inverse = inverse_of(normals.pose);
+    const MatrixXd pose_by_shared = pose_inverse * normals.across.transpose();
+    reduced.normals += normals.shared - normals.across * pose_by_shared;
+    reduced.turn_by_shared -= share * pose_by_shared.topRows(3);
+    reduced.own_turn += share * share * pose_inverse.topLeftCorner<3, 3>();
+  }
+  return reduced;
+}
+
+// For a sigma of 1: H^-1 N H^-1, with N the reduced normals and H those with the regularisation.
+MatrixXd shared_covariance(const Reduced& reduced, const LensState& state,
+                           const LensProblem& problem) {
+  MatrixXd regularised = reduced.normals;
+  regularised.diagonal() += regularisation(state, problem, reduced.normals.rows());
+  const MatrixXd inverse = inverse_of(regularised);
+  return inverse * reduced.normals * inverse;
+}
+
 }  // namespace
 
 double LensCovariance::focal_sigma() const {
@@ -154,36 +191,20 @@ double LensCovariance::focal_sigma() const {
 LensCovariance lens_covariance(const LensState& state, const LensProblem& problem, bool warp,
                                double sigma_px) {
   const auto lens = Eigen::Index(state.intrinsics.size());
-  const Eigen::Index shared = lens + (warp ? 2 : 0);
-  MatrixXd reduced = MatrixXd::Zero(shared, shared);
-  MatrixXd turn_by_shared = MatrixXd::Zero(3, shared);  // how the mean turn follows lens and warp
-  Matrix3d own_turn = Matrix3d::Zero();                 // its noise besides
-  const double share = 1.0 / double(problem.boards);
-  for (std::size_t board = 0; board < problem.boards; ++board) {
-    const BoardNormals normals = normals_of(state, problem, board, shared);
-    const MatrixXd pose_inverse = inverse_of(normals.pose);
-    reduced += normals.shared - normals.across * pose_inverse * normals.across.transpose();
-    turn_by_shared -= share * (pose_inverse * normals.across.transpose()).topRows(3);
-    own_turn += share * share * pose_inverse.topLeftCorner<3, 3>();
-  }
-  MatrixXd with_regularisation = reduced;
-  with_regularisation.diagonal() += regularisation(state, problem, shared);
-  const MatrixXd inverse = inverse_of(with_regularisation);
-  const MatrixXd spread = inverse * reduced * inverse;
-  MatrixXd whole(shared + 3, shared + 3);
-  whole.topLeftCorner(shared, shared) = spread;
-  whole.topRightCorner(shared, 3) = spread * turn_by_shared.transpose();
-  whole.bottomLeftCorner(3, shared) = turn_by_shared * spread;
-  whole.bottomRightCorner(3, 3) = turn_by_shared * spread * turn_by_shared.transpose() + own_turn;
-  whole *= sigma_px * sigma_px;
+  const Reduced reduced = without_poses(state, problem, lens + (warp ? 2 : 0));
+  const MatrixXd shared = shared_covariance(reduced, state, problem);
+  const MatrixXd& turn = reduced.turn_by_shared;
+  const double variance = sigma_px * sigma_px;
   LensCovariance result{state.family, state.intrinsics, MatrixXd(lens + 3, lens + 3), {}};
-  result.covariance.topLeftCorner(lens, lens) = whole.topLeftCorner(lens, lens);
-  result.covariance.topRightCorner(lens, 3) = whole.topRightCorner(shared, 3).topRows(lens);
-  result.covariance.bottomLeftCorner(3, lens) = whole.bottomLeftCorner(3, shared).leftCols(lens);
-  result.covariance.bottomRightCorner(3, 3) = whole.bottomRightCorner(3, 3);
+  const MatrixXd across = variance * (turn * shared).leftCols(lens);
+  result.covariance.topLeftCorner(lens, lens) = variance * shared.topLeftCorner(lens, lens);
+  result.covariance.bottomLeftCorner(3, lens) = across;
+  result.covariance.topRightCorner(lens, 3) = across.transpose();
+  result.covariance.bottomRightCorner(3, 3) =
+      variance * (turn * shared * turn.transpose() + reduced.own_turn);
   if (warp)
-    result.warp_sigma_m = {std::sqrt(std::max(0.0, whole(lens, lens))),
-                           std::sqrt(std::max(0.0, whole(lens + 1, lens + 1)))};
+    result.warp_sigma_m = {sigma_px * std::sqrt(std::max(0.0, shared(lens, lens))),
+                           sigma_px * std::sqrt(std::max(0.0, shared(lens + 1, lens + 1)))};
   return result;
 }
 
