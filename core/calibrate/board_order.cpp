@@ -15,16 +15,17 @@ struct Grid {
   int columns = 0, rows = 0;
   std::vector<dvec2> corners;
 
-  const dvec2& at(int column, int row) const {
-    return corners[std::size_t(row * columns + column)];
+  std::size_t place(int column, int row) const {
+    return std::size_t(row) * std::size_t(columns) + std::size_t(column);
   }
+  const dvec2& at(int column, int row) const { return corners[place(column, row)]; }
 };
 
 Grid mirrored(const Grid& grid, bool along_x, bool along_y) {
   Grid result = grid;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
-      result.corners[std::size_t(row * grid.columns + column)] = grid.at(
+      result.corners[grid.place(column, row)] = grid.at(
           along_x ? grid.columns - 1 - column : column, along_y ? grid.rows - 1 - row : row);
   return result;
 }
@@ -33,7 +34,7 @@ Grid transposed(const Grid& grid) {
   Grid result{grid.rows, grid.columns, grid.corners};
   for (int row = 0; row < result.rows; ++row)
     for (int column = 0; column < result.columns; ++column)
-      result.corners[std::size_t(row * result.columns + column)] = grid.at(row, column);
+      result.corners[result.place(column, row)] = grid.at(row, column);
   return result;
 }
 
@@ -69,7 +70,7 @@ bool starts_dark(const Grid& grid, const Image<std::uint8_t>& grey) {
 
 std::vector<dvec2> in_board_order(const std::vector<dvec2>& grid, const BoardShape& shape,
                                   const Image<std::uint8_t>& grey) {
-  assert(grid.size() == std::size_t(shape.columns * shape.rows));
+  assert(grid.size() == shape.corners());
   const Grid given{shape.columns, shape.rows, grid};
   std::vector<Grid> bases{given};
   if (shape.columns == shape.rows) bases.push_back(transposed(given));
@@ -88,14 +89,14 @@ std::vector<dvec2> in_board_order(const std::vector<dvec2>& grid, const BoardSha
   return best ? best->corners : grid;
 }
 
-double nearest_neighbour_px(const std::vector<dvec2>& grid, int columns, int rows, int column,
+double nearest_neighbour_px(const std::vector<dvec2>& grid, const BoardShape& shape, int column,
                             int row) {
   constexpr std::array<std::array<int, 2>, 4> kSides{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  const auto at = [&](int c, int r) { return grid[std::size_t(r * columns + c)]; };
+  const auto at = [&](int c, int r) { return grid[shape.place(c, r)]; };
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [dc, dr] : kSides) {
     const int c = column + dc, r = row + dr;
-    if (c < 0 || r < 0 || c >= columns || r >= rows) continue;
+    if (c < 0 || r < 0 || c >= shape.columns || r >= shape.rows) continue;
     nearest = std::min(nearest, glm::distance(at(c, r), at(column, row)));
   }
   return nearest;

@@ -13,7 +13,7 @@ std::vector<glm::dvec2> in_board_order(const std::vector<glm::dvec2>& grid, cons
                                        const Image<std::uint8_t>& grey);
 
 // Distance in pixels from a corner to its nearest neighbour along row or column.
-double nearest_neighbour_px(const std::vector<glm::dvec2>& grid, int columns, int rows, int column,
-                            int row);
+double nearest_neighbour_px(const std::vector<glm::dvec2>& grid, const BoardShape& shape,
+                            int column, int row);
 
 }  // namespace bosk

@@ -32,7 +32,7 @@ Grid found_by_mrgingham(const cv::Mat& grey, const BoardShape& shape) {
       mrgingham::find_chessboard_from_image_array(points, &levels, shape.columns, grey, -1);
   std::free(levels);
   Grid grid;
-  if (level < 0 || points.size() != std::size_t(shape.columns * shape.rows)) return grid;
+  if (level < 0 || points.size() != shape.corners()) return grid;
   for (const auto& point : points) grid.emplace_back(point.x, point.y);
   return grid;
 }
@@ -89,8 +89,8 @@ std::vector<BoardCorner> refined(const Grid& grid, const BoardShape& shape, cons
   std::vector<BoardCorner> corners;
   for (int row = 0; row < shape.rows; ++row)
     for (int column = 0; column < shape.columns; ++column) {
-      const dvec2 start = grid[std::size_t(row * shape.columns + column)];
-      const double spacing = nearest_neighbour_px(grid, shape.columns, shape.rows, column, row);
+      const dvec2 start = grid[shape.place(column, row)];
+      const double spacing = nearest_neighbour_px(grid, shape, column, row);
       RefinedCorner corner = refined_corner(grey, start, spacing, noise);
       const double moved = glm::distance(corner.pixel, start);
       if (moved > kFarthestMove * spacing) corner = {start, std::max(moved, corner.sigma_px)};
@@ -146,6 +146,7 @@ glm::dvec3 corner_in_board(const BoardShape& shape, int column, int row) {
 
 std::vector<Sighting> board_sightings(const std::vector<BoardCorner>& corners) {
   std::vector<Sighting> sightings;
+  sightings.reserve(corners.size());
   for (const BoardCorner& corner : corners)
     sightings.push_back(
         {corner_name(corner.column, corner.row), corner.pixel, corner.sigma_px, SightedBy::board});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -30,6 +31,17 @@ struct BoardShape {
   // ChArUco alone: markers lie in the light squares, numbered along the rows from the top left.
   std::string dictionary = "DICT_4X4_50";  // as OpenCV names it
   double marker_share = 0.75;              // a marker's side over a square's, 0.3 to 0.95
+
+  std::size_t corners() const { return std::size_t(columns) * std::size_t(rows); }
+  // The place of a corner in a list by row, then by column.
+  std::size_t place(int column, int row) const {
+    return std::size_t(row) * std::size_t(columns) + std::size_t(column);
+  }
+
+  // And back: column and row.
+  glm::ivec2 corner(std::size_t place) const {
+    return {int(place) % columns, int(place) / columns};
+  }
 
   bool operator==(const BoardShape&) const = default;
 };

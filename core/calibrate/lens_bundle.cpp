@@ -42,11 +42,11 @@ mrcal_problem_constants_t constants_without_points() { return {0.01, 1000.0}; }
 LensProblem lens_problem(std::span<const BoardView* const> views, const BoardShape& shape) {
   assert(!views.empty());
   LensProblem problem{shape, views[0]->width_px, views[0]->height_px, views.size(), {}};
-  problem.pool.assign(views.size() * problem.corners_of_board(), mrcal_point(0.0, 0.0, -1.0));
+  problem.pool.assign(views.size() * problem.shape.corners(), mrcal_point(0.0, 0.0, -1.0));
   const double typical = median_sigma(views);
   for (std::size_t i = 0; i < views.size(); ++i)
     for (const BoardCorner& corner : views[i]->corners) {
-      auto& entry = problem.board(i)[std::size_t(corner.row * shape.columns + corner.column)];
+      auto& entry = problem.board(i)[shape.place(corner.column, corner.row)];
       entry = mrcal_point(corner.pixel.x, corner.pixel.y, typical / corner.sigma_px);
     }
   return problem;
@@ -102,16 +102,16 @@ std::vector<glm::dvec2> corner_errors(const LensState& state, const LensProblem&
   std::vector<glm::dvec2> errors(problem.pool.size(), glm::dvec2(0.0));
   for (std::size_t board = 0; board < problem.boards; ++board) {
     const RigidTransform camera_from_board = transform_of(state.camera_from_board[board]);
-    for (std::size_t i = 0; i < problem.corners_of_board(); ++i) {
+    for (std::size_t i = 0; i < problem.shape.corners(); ++i) {
       const mrcal_point3_t& seen = problem.board(board)[i];
       if (!is_seen(seen)) continue;
-      const int column = int(i) % problem.shape.columns, row = int(i) / problem.shape.columns;
-      const mrcal_point3_t on_board = board_point(state, problem.shape, column, row);
+      const glm::ivec2 corner = problem.shape.corner(i);
+      const mrcal_point3_t on_board = board_point(state, problem.shape, corner.x, corner.y);
       const glm::dvec3 p = camera_from_board * glm::dvec3(on_board.x, on_board.y, on_board.z);
       const mrcal_point3_t in_camera = mrcal_point(p.x, p.y, p.z);
       mrcal_point2_t pixel{};
       mrcal_project(&pixel, nullptr, nullptr, &in_camera, 1, &model, state.intrinsics.data());
-      errors[board * problem.corners_of_board() + i] = {pixel.x - seen.x, pixel.y - seen.y};
+      errors[board * problem.shape.corners() + i] = {pixel.x - seen.x, pixel.y - seen.y};
     }
   }
   return errors;

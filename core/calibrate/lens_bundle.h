@@ -34,12 +34,11 @@ struct LensProblem {
   // sigma over its own. -1: not seen, or an outlier.
   std::vector<mrcal_point3_t> pool;
 
-  std::size_t corners_of_board() const { return std::size_t(shape.columns * shape.rows); }
   std::span<mrcal_point3_t> board(std::size_t i) {
-    return std::span(pool).subspan(i * corners_of_board(), corners_of_board());
+    return std::span(pool).subspan(i * shape.corners(), shape.corners());
   }
   std::span<const mrcal_point3_t> board(std::size_t i) const {
-    return std::span(pool).subspan(i * corners_of_board(), corners_of_board());
+    return std::span(pool).subspan(i * shape.corners(), shape.corners());
   }
 };
 // Whether an entry of the pool was seen, be it an outlier.

@@ -78,7 +78,7 @@ void cross_validate(LensCandidate& candidate, const LensProblem& problem, int fo
     const LensProblem unseen = part_of(problem, fold.held_out);
     solve_lens(tested, unseen, {false, false, false});
     const std::vector<glm::dvec2> errors = corner_errors(tested, unseen);
-    const std::size_t corners = problem.corners_of_board();
+    const std::size_t corners = problem.shape.corners();
     for (std::size_t i = 0; i < fold.held_out.size(); ++i)
       candidate.held_out[fold.held_out[i]] =
           weighted_square(unseen.board(i), std::span(errors).subspan(i * corners, corners));

@@ -26,7 +26,7 @@ std::vector<double> board_errors(const LensState& state, const LensProblem& prob
     const auto corners = problem.board(board);
     for (std::size_t i = 0; i < corners.size(); ++i)
       if (corners[i].z > 0.0)
-        lengths.push_back(glm::length(errors[board * problem.corners_of_board() + i]));
+        lengths.push_back(glm::length(errors[board * problem.shape.corners() + i]));
     result.push_back(lengths.empty() ? 0.0 : quantile(lengths, 0.75));
   }
   return result;

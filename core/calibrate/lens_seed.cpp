@@ -24,8 +24,8 @@ Pairs pairs_of(const LensProblem& problem, std::size_t board) {
   const auto corners = problem.board(board);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i].z <= 0.0) continue;
-    const int column = int(i) % problem.shape.columns, row = int(i) / problem.shape.columns;
-    const glm::dvec3 at = corner_in_board(problem.shape, column, row);
+    const glm::ivec2 corner = problem.shape.corner(i);
+    const glm::dvec3 at = corner_in_board(problem.shape, corner.x, corner.y);
     pairs.on_board.emplace_back(float(at.x), float(at.y), 0.0f);
     pairs.in_picture.emplace_back(float(corners[i].x), float(corners[i].y));
   }

@@ -116,8 +116,8 @@ struct Solved {
 void note_board(LensCalibration& result, const Solved& solved, std::size_t board) {
   const LensProblem& problem = solved.fit.problem;
   const std::size_t view = solved.views[solved.fit.boards[board]];
-  const std::size_t first = board * problem.corners_of_board();
-  const auto errors = std::span(solved.errors).subspan(first, problem.corners_of_board());
+  const std::size_t first = board * problem.shape.corners();
+  const auto errors = std::span(solved.errors).subspan(first, problem.shape.corners());
   const auto corners = problem.board(board);
   BoardFinding& finding = result.boards[view];
   finding.used = true;
@@ -126,10 +126,10 @@ void note_board(LensCalibration& result, const Solved& solved, std::size_t board
   finding.tilt = tilt_of(finding.camera_from_board);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!is_seen(corners[i])) continue;
-    const int column = int(i) % problem.shape.columns, row = int(i) / problem.shape.columns;
+    const glm::ivec2 corner = problem.shape.corner(i);
     const bool outlier = corners[i].z <= 0.0;
     result.residuals.push_back(
-        {view, column, row, {corners[i].x, corners[i].y}, errors[i], outlier});
+        {view, corner.x, corner.y, {corners[i].x, corners[i].y}, errors[i], outlier});
     finding.outliers += outlier ? 1 : 0;
   }
 }
@@ -249,6 +249,7 @@ LensCalibration calibrate_lens(std::span<const BoardView> views, const BoardShap
                 " photos; check the numbers (corners where four squares meet, not squares), and "
                 "that the whole board with its white rim is in the picture and in focus");
   std::vector<const BoardView*> chosen;
+  chosen.reserve(matching.size());
   for (const std::size_t i : matching) chosen.push_back(&views[i]);
   const LensProblem problem = lens_problem(chosen, shape);
   if (matching.size() < kFewestBoards)

@@ -52,16 +52,16 @@ struct CornerRows {
 };
 
 CornerRows corner_rows(const LensState& state, const BoardShape& shape, const Matrix3d& turn,
-                       const Vector3d& shift, int column, int row, Eigen::Index shared) {
-  const mrcal_point3_t at = board_point(state, shape, column, row);
+                       const Vector3d& shift, const glm::ivec2& corner, Eigen::Index shared) {
+  const mrcal_point3_t at = board_point(state, shape, corner.x, corner.y);
   const Vector3d turned = turn * Vector3d(at.x, at.y, at.z);
   const Projection projection = projection_of(turned + shift, state.family, state.intrinsics);
   const Eigen::Index lens = projection.by_intrinsics.cols();
   CornerRows rows{Matrix2X::Zero(2, shared), {}};
   rows.shared.leftCols(lens) = projection.by_intrinsics;
   if (shared > lens) {
-    const double u = 2.0 * column / (shape.columns - 1) - 1.0;
-    const double v = 2.0 * row / (shape.rows - 1) - 1.0;
+    const double u = 2.0 * corner.x / (shape.columns - 1) - 1.0;
+    const double v = 2.0 * corner.y / (shape.rows - 1) - 1.0;
     rows.shared.col(lens) = projection.by_point * turn.col(2) * (1.0 - u * u);
     rows.shared.col(lens + 1) = projection.by_point * turn.col(2) * (1.0 - v * v);
   }
@@ -87,8 +87,8 @@ BoardNormals normals_of(const LensState& state, const LensProblem& problem, std:
   const auto corners = problem.board(board);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i].z <= 0.0) continue;
-    const int column = int(i) % problem.shape.columns, row = int(i) / problem.shape.columns;
-    const CornerRows rows = corner_rows(state, problem.shape, turn, shift, column, row, shared);
+    const glm::ivec2 corner = problem.shape.corner(i);
+    const CornerRows rows = corner_rows(state, problem.shape, turn, shift, corner, shared);
     const double square = corners[i].z * corners[i].z;
     normals.shared += square * rows.shared.transpose() * rows.shared;
     normals.across += square * rows.shared.transpose() * rows.pose;

@@ -180,6 +180,11 @@ std::array<bool, 9> judge_coverage(Judge& judge) {
   return bare;
 }
 
+// The number of the frame's ninth that a cell of the map lies in.
+std::size_t ninth(int x, int y, const Image<float>& map) {
+  return std::size_t(y * 3 / map.height()) * 3 + std::size_t(x * 3 / map.width());
+}
+
 // The place outside those without a board where the lens is most uncertain.
 void judge_edge(Judge& judge, const std::array<bool, 9>& bare) {
   const Image<float>& sigma = judge.calibration.profile.uncertainty_px;
@@ -187,7 +192,7 @@ void judge_edge(Judge& judge, const std::array<bool, 9>& bare) {
   std::size_t worst_place = 0;
   for (int y = 0; y < sigma.height(); ++y)
     for (int x = 0; x < sigma.width(); ++x) {
-      const auto place = std::size_t(y * 3 / sigma.height() * 3 + x * 3 / sigma.width());
+      const auto place = ninth(x, y, sigma);
       if (bare[place] || sigma(x, y) <= worst) continue;
       worst = sigma(x, y);
       worst_place = place;

@@ -51,8 +51,12 @@ std::vector<std::size_t> agreeing(std::span<const BoardView> views,
     if (own.empty() || own == most)
       kept.push_back(i);
     else
-      findings[i].reason = what + own + ", most photos are of " + most +
-                           "; a lens is calibrated for one camera, size and focal length";
+      findings[i]
+          .reason.append(what)
+          .append(own)
+          .append(", most photos are of ")
+          .append(most)
+          .append("; a lens is calibrated for one camera, size and focal length");
   }
   return kept;
 }
