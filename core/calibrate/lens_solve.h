@@ -38,7 +38,7 @@ struct BoardFinding {
   int corners = 0, outliers = 0;
   double rms_px =
       0.0;  // over both axes, outliers left out; where it was left out, as the lens sees it
-  double tilt = 0.0;  // between the board's normal and the line of sight to its middle, radians
+  double tilt = 0.0;  // between the board's normal and the axis of the lens, radians
   RigidTransform camera_from_board;
 };
 
@@ -65,7 +65,9 @@ struct LensCalibration {
   std::vector<BoardFinding> boards;  // every view, in the order given
   std::vector<CornerResidual> residuals;  // of the boards used
   std::vector<LensTrial> trials;
-  double focal_sigma = 0.0;      // relative, one sigma
+  // Of the focal length, relative, one sigma: as noise lets expect, and as the lens moves with the
+  // choice of boards (jackknife; far more where boards bend or the focus moved).
+  double focal_sigma = 0.0, focal_spread = 0.0;
   glm::dvec2 board_warp_m{0.0};  // how far the board's middle stands out along x and y
   double corner_sigma_px = 0.0;  // noise of a corner along one axis, as the residuals show it
 };
