@@ -19,10 +19,11 @@ struct StickFoot {
 struct SightedBall {
   glm::dvec2 centre_px{0.0};  // of the whole disc, also where a part is hidden
   double radius_px = 0.0;
-  double sigma_px = 0.5;          // of the centre, along each axis
-  double visible = 1.0;           // share of the disc that shows
-  glm::vec3 lab{0.0f};            // median over the part that shows
-  glm::vec3 chroma_linear{0.0f};  // its colour in linear light, without brightness: the sum is 1
+  double sigma_px = 0.5;       // of the centre, along each axis
+  double visible = 1.0;        // share of the disc that shows
+  glm::vec2 saturation{0.0f};  // 100 (a*, b*) / (L* + 16): one for a colour in sun and shade
+  float lightness = 50.0f;     // median L* of what shows
+  double contrast = 0.0;       // of its saturation against that of what surrounds it
   std::optional<StickFoot> foot;
 };
 
@@ -32,7 +33,7 @@ struct BallOptions {
   double least_visible = 0.4;  // share of the disc, 0 to 1: what shows less is left out
 };
 
-// The balls of one photo (sRGB, 0 to 1), from top to bottom. Any saturated colour that stands off
+// The balls of one photo (sRGB, 0 to 1), from left to right. Any saturated colour that stands off
 // from what surrounds it will do. What is doubtful is left out. Throws Cancelled.
 std::vector<SightedBall> find_balls(const Image<glm::vec3>& srgb, const BallOptions& options,
                                     const Progress& progress);
