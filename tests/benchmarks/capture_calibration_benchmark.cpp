@@ -126,17 +126,6 @@ void add_balls(const Loaded& loaded, bool feet, std::vector<PhotoSightings>& pho
   for (const std::string& sentence : names.sentences) std::printf("  %s\n", sentence.c_str());
 }
 
-Survey survey_of(const Arguments& arguments) {
-  Survey survey;
-  survey.heights = arguments.heights;
-  if (!arguments.feet) return survey;
-  for (const Height& height : arguments.heights) {
-    survey.heights.push_back({foot_name(height.point), 0.0, 0.01});
-    survey.tapes.push_back({foot_name(height.point), height.point, height.height_m, 0.005});
-  }
-  return survey;
-}
-
 void score(const std::vector<Camera>& found, const std::filesystem::path& truth_file) {
   const std::vector<Camera> truth = read_cameras(truth_file);
   std::vector<glm::dvec3> ours, theirs;
@@ -173,6 +162,32 @@ void score(const std::vector<Camera>& found, const std::filesystem::path& truth_
       truth[0].lens.focal_px.x);
 }
 
+FeatureSightings add_features(const Loaded& loaded, std::vector<PhotoSightings>& photos,
+                              Progress& progress) {
+  std::vector<FeaturePhoto> input;
+  for (std::size_t i = 0; i < loaded.names.size(); ++i)
+    input.push_back({loaded.names[i], &loaded.srgb[i], nullptr});
+  FeatureSightings found = find_features(input, loaded.lens, false, {}, progress);
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const auto& more = found.photos[i].sightings;
+    photos[i].sightings.insert(photos[i].sightings.end(), more.begin(), more.end());
+    std::printf("  %s: %zu features\n", photos[i].photo.c_str(), more.size());
+  }
+  for (const std::string& sentence : found.sentences) std::printf("  %s\n", sentence.c_str());
+  return found;
+}
+
+Survey survey_of(const Arguments& arguments) {
+  Survey survey;
+  survey.heights = arguments.heights;
+  if (!arguments.feet) return survey;
+  for (const Height& height : arguments.heights) {
+    survey.heights.push_back({foot_name(height.point), 0.0, 0.01});
+    survey.tapes.push_back({foot_name(height.point), height.point, height.height_m, 0.005});
+  }
+  return survey;
+}
+
 void print(const Calibration& calibration, bool list) {
   const char* verdicts[] = {"good", "usable", "refused"};
   std::printf(
@@ -200,9 +215,24 @@ int run(int count, char** texts) {
   const auto start = Clock::now();
   if (arguments.balls) add_balls(loaded, arguments.feet, photos);
   std::printf("time: balls %.2f s\n", 1e-3 * ms_since(start));
-  const auto solving = Clock::now();
   Progress progress;
   SolveOptions options;
+  const auto matching = Clock::now();
+  if (arguments.features) {
+    const FeatureSightings found = add_features(loaded, photos, progress);
+    for (std::size_t i = 0; i < photos.size(); ++i)
+      if (found.camera_from_world[i])
+        options.first_poses.push_back({photos[i].photo, *found.camera_from_world[i]});
+    if (!arguments.truth.empty()) {
+      std::vector<Camera> cameras;
+      for (const FirstPose& pose : options.first_poses)
+        cameras.push_back({pose.photo, found.lens, pose.camera_from_scene});
+      score(cameras, arguments.truth);
+    }
+    std::printf("time: features %.2f s, %zu first poses\n", 1e-3 * ms_since(matching),
+                options.first_poses.size());
+  }
+  const auto solving = Clock::now();
   const Calibration calibration =
       solve_cameras(photos, survey_of(arguments), {loaded.lens, false}, options, progress);
   std::printf("time: solve %.2f s\n", 1e-3 * ms_since(solving));
