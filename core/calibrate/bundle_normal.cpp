@@ -14,8 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPinned = 1e12;  // weight of a pinned move, large beside what data say of others
-
 Vector3d eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 glm::dvec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
