@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/calibrate/diagnosis_lens.h"
 #include "core/calibrate/diagnosis_verdict.h"
 #include "core/calibrate/photo_quirks.h"
 
@@ -194,7 +195,8 @@ Calibration report(const Solution& solution, const SolveQuestion& question,
   calibration.scale_known = solution.determined.scale;
   calibration.up_known = solution.determined.up;
   if (calibration.scale_known) calibration.scale_sigma = covariance.scale_sigma();
-  judge(solution, question, noise, calibration);
+  judge(solution, question, noise, lens_doubt(solution, question, covariance, progress),
+        calibration);
   if (calibration.verdict != Verdict::refused) add_cameras(solution, findings, calibration);
   return calibration;
 }
