@@ -116,7 +116,7 @@ PhotoFeatures detect_features(const FeaturePhoto& photo, int most) {
   std::vector<cv::KeyPoint> keypoints;
   cv::Mat descriptors;
   const auto sift = cv::SIFT::create(most, 3, 0.02, 10.0, 1.6);
-  sift->detectAndCompute(grey_of(*photo.srgb), mask_of(photo), keypoints, descriptors);
+  sift->detectAndCompute(luma_mat(*photo.srgb), mask_of(photo), keypoints, descriptors);
   PhotoFeatures features;
   for (const cv::KeyPoint& keypoint : keypoints) {
     features.pixel.emplace_back(keypoint.pt.x, keypoint.pt.y);

@@ -5,7 +5,7 @@
 
 namespace bosk {
 
-cv::Mat grey_of(const Image<glm::vec3>& srgb) {
+cv::Mat luma_mat(const Image<glm::vec3>& srgb) {
   cv::Mat grey(srgb.height(), srgb.width(), CV_8U);
   for (int y = 0; y < srgb.height(); ++y)
     for (int x = 0; x < srgb.width(); ++x) {

@@ -8,6 +8,6 @@
 namespace bosk {
 
 // Luma of 8 bits, as OpenCV's detectors take it. For the files of this folder alone.
-cv::Mat grey_of(const Image<glm::vec3>& srgb);
+cv::Mat luma_mat(const Image<glm::vec3>& srgb);
 
 }  // namespace bosk

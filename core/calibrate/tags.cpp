@@ -114,7 +114,7 @@ std::vector<SightedTag> find_tags(const Image<glm::vec3>& srgb, std::string_view
   progress.check();
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
-  cv::aruco::detectMarkers(grey_of(srgb), tags, corners, ids, detector_parameters());
+  cv::aruco::detectMarkers(luma_mat(srgb), tags, corners, ids, detector_parameters());
   progress.check();
   std::vector<SightedTag> found;
   for (std::size_t i = 0; i < ids.size(); ++i) found.push_back(tag_of(ids[i], corners[i]));

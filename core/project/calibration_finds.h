@@ -21,11 +21,12 @@ struct UnreadPhoto {
 struct CalibrationFinds {
   std::vector<PhotoSightings> photos;  // of those that could be read, by name; balls are named
   std::vector<UnreadPhoto> unread;
-  std::vector<RigidBody> bodies;          // printed markers of known size, a board at the tree
-  LensKnowledge lens;                     // at the size that most photos have
-  std::optional<LensCalibration> boards;  // where there are photos of a board
-  std::vector<FirstPose> first_poses;     // from features
-  std::vector<std::string> sentences;     // what went wrong, with the remedy
+  std::vector<RigidBody> bodies;               // printed markers of known size, a board at the tree
+  LensKnowledge lens;                          // at the size that most photos have
+  std::optional<LensCalibration> boards;       // where there are photos of a board
+  std::vector<FirstPose> first_poses;          // from features
+  std::vector<std::string> sentences;          // what went wrong, with the remedy
+  std::vector<std::string> feature_sentences;  // the same of features, where markers didn't do
 };
 
 // Looks through photos, board photos and profile. Slow at first; each photo, the boards' lens and

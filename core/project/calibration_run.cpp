@@ -12,7 +12,8 @@ namespace bosk {
 namespace {
 
 constexpr const char* kEntry = "calibrate";
-constexpr int kEntriesKept = 8;  // clicks come and go by undo
+constexpr int kEntriesKept = 8;        // clicks come and go by undo
+constexpr std::size_t kMostAlike = 3;  // sentences on features
 
 bool is_within(const glm::dvec2& pixel, const PhotoSightings& photo) {
   return pixel.x >= -0.5 && pixel.y >= -0.5 && pixel.x <= photo.width_px - 0.5 &&
@@ -50,6 +51,15 @@ void append(const std::vector<std::string>& more, std::vector<std::string>& all)
   all.insert(all.end(), more.begin(), more.end());
 }
 
+// The first few, and how many there are more.
+std::vector<std::string> shortened(std::vector<std::string> sentences) {
+  if (sentences.size() <= kMostAlike) return sentences;
+  const std::size_t more = sentences.size() - kMostAlike;
+  sentences.resize(kMostAlike);
+  sentences.back() += " (and " + std::to_string(more) + " more such)";
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds, const HandSightings& told,
@@ -73,6 +83,9 @@ Calibration solve_calibration(const CalibrationFinds& finds, const CalibrationSo
   options.first_poses = finds.first_poses;
   Calibration calibration = solve_cameras(photos, survey, finds.lens, options, progress);
   append(sentences, calibration.sentences);
+  if (calibration.verdict != Verdict::good) {
+    append(shortened(finds.feature_sentences), calibration.sentences);
+  }
   append(sources.remarks, calibration.sentences);
   add_unread(finds.unread, calibration);
   return calibration;

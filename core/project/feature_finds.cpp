@@ -142,8 +142,7 @@ void add_features(const CalibrationSources& sources, const Cache& cache, Calibra
     const auto& pose = features.camera_from_world[i];
     if (pose) finds.first_poses.push_back({photo.photo, *pose});
   }
-  finds.sentences.insert(finds.sentences.end(), features.sentences.begin(),
-                         features.sentences.end());
+  finds.feature_sentences = features.sentences;
   if (!finds.lens.known && !finds.first_poses.empty()) {
     finds.lens.lens = scaled(features.lens, lens.width_px, lens.height_px);
   }

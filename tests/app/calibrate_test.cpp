@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <functional>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/base/atomic_file.h"
-#include "core/calibrate/lens_profile.h"
 #include "core/photo/camera_files.h"
 #include "tests/app/program.h"
 #include "tests/base/scratch_folder.h"
@@ -297,6 +297,81 @@ TEST_F(Calibrate, ACameraFileIsNotPassedOverInSilence) {
   expect_refusal(with_clicks(), "--replace");
   EXPECT_THAT(bosk(with_clicks({"--replace"})).status, AnyOf(0, 4));
   EXPECT_THAT(bosk({"info", "p"}).out, HasSubstr("12 of 12 photos"));
+}
+
+// Photographs of a made-up tree with balls round it, from the files of which everything is found.
+class CalibratePhantom : public testing::Test {
+ protected:
+  // Made once, since it takes seconds.
+  static void SetUpTestSuite() {
+    shared = new ScratchFolder;
+    const ProgramEnd end = run_bosk(
+        {"phantom", "capture", "--quiet", "--photos=8", "--held_out=0", "--markers=7",
+         "--width_px=480", "--height_px=640", "--height_m=5", "--detail=0.02", "--density_side=8"},
+        shared->path());
+    if (end.status != 0) throw std::runtime_error("no capture for the test: " + end.err);
+  }
+  static void TearDownTestSuite() { delete shared; }
+  static std::string capture(const std::string& part) {
+    return (*shared / "capture" / part).string();
+  }
+  // As `bosk calibrate` takes them.
+  std::vector<std::string> heights() const {
+    std::vector<std::string> arguments;
+    const json truth = json::parse(content_of(capture("truth.json")));
+    for (const json& marker : truth.at("markers")) {
+      arguments.insert(arguments.end(), {"--height", marker.at("name").get<std::string>(),
+                                         std::to_string(marker.at("xyz").at(2).get<double>())});
+    }
+    return arguments;
+  }
+
+  ScratchFolder folder;
+  inline static ScratchFolder* shared = nullptr;
+};
+
+TEST_F(CalibratePhantom, PlacesEveryPhotoByBallsAlone) {
+  run_bosk({"new", "p", capture("photos"), "--quiet"}, folder.path());
+  std::vector<std::string> arguments = {"calibrate", "p", "--quiet", "--json"};
+  const auto measured = heights();
+  arguments.insert(arguments.end(), measured.begin(), measured.end());
+  const ProgramEnd end = run_bosk(arguments, folder.path());
+  EXPECT_THAT(end.status, AnyOf(0, 4)) << end.out << end.err;
+  run_bosk({"export", "p", "--to", "transforms", "cameras.json", "--quiet"}, folder.path());
+  const auto found = read_cameras(folder / "cameras.json");
+  const auto truth = read_cameras(capture("transforms.json"));
+  ASSERT_EQ(found.size(), truth.size());
+  // Eyes in metres, as the heights of the balls have it: 2 % of the distance walked
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i].centre_in_world().z, truth[i].centre_in_world().z, 0.2);
+  }
+}
+
+TEST_F(CalibratePhantom, RunCalibratesFirst) {
+  run_bosk({"new", "p", capture("photos"), "--mattes", capture("mattes"), "--quiet"},
+           folder.path());
+  std::vector<std::string> arguments = {"run", "p", "-o", "tree.bosk", "--quiet"};
+  const auto quick = quick_options();
+  arguments.insert(arguments.end(), quick.begin(), quick.end());
+  const ProgramEnd end = run_bosk(arguments, folder.path());
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_TRUE(fs::exists(folder / "tree.bosk"));
+}
+
+TEST_F(CalibratePhantom, CancelledKeepsThePhotosThatWereLookedThrough) {
+  run_bosk({"new", "p", capture("photos"), "--quiet"}, folder.path());
+  const std::string before = content_of(folder / "p" / "project.json");
+  Program program({"calibrate", "p", "--quiet", "--calibrate.crown_px=0.7"}, folder.path());
+  const auto cached = [&] {
+    std::error_code none;
+    return !fs::is_empty(folder / "p" / "cache", none) && !none;
+  };
+  while (program.is_running() && !cached()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait().status, 130);
+  EXPECT_EQ(content_of(folder / "p" / "project.json"), before);
 }
 
 }  // namespace
