@@ -306,7 +306,7 @@ class CalibratePhantom : public testing::Test {
   static void SetUpTestSuite() {
     shared = new ScratchFolder;
     const ProgramEnd end = run_bosk(
-        {"phantom", "capture", "--quiet", "--photos=8", "--held_out=0", "--markers=7",
+        {"phantom", "capture", "--quiet", "--photos=12", "--held_out=0", "--markers=7",
          "--width_px=480", "--height_px=640", "--height_m=5", "--detail=0.02", "--density_side=8"},
         shared->path());
     if (end.status != 0) throw std::runtime_error("no capture for the test: " + end.err);
