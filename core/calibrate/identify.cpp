@@ -13,6 +13,7 @@ using glm::vec2;
 
 constexpr float kOneColour = 18.0f;     // saturation; balls nearer than this are of one group
 constexpr double kClearlySeen = 0.8;    // share of the disc that must show to found a group
+constexpr double kSurelySeen = 0.06;    // sigma over radius that it must not exceed for that
 constexpr double kOneLength = 0.11;     // relative difference of sticks' lengths
 constexpr std::size_t kFewestFeet = 3;  // to tell a stick's length
 
@@ -74,12 +75,15 @@ void add_to_groups(Photos photos, const BallPlace& place, std::vector<Group>& gr
   groups = std::move(others);
 }
 
-std::vector<BallPlace> places(Photos photos, bool clearly_seen) {
+bool is_clear(const SightedBall& ball) {
+  return ball.visible >= kClearlySeen && ball.sigma_px <= kSurelySeen * ball.radius_px;
+}
+
+std::vector<BallPlace> places(Photos photos, bool clear) {
   std::vector<BallPlace> result;
   for (std::size_t photo = 0; photo < photos.size(); ++photo)
     for (std::size_t ball = 0; ball < photos[photo].size(); ++ball)
-      if ((photos[photo][ball].visible >= kClearlySeen) == clearly_seen)
-        result.push_back({photo, ball});
+      if (is_clear(photos[photo][ball]) == clear) result.push_back({photo, ball});
   return result;
 }
 
