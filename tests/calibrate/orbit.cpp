@@ -17,13 +17,14 @@ const dvec3 kCrown(0.0, 0.0, 2.6);
 const char* const kColours[] = {"red",  "green",  "blue",  "yellow", "pink",   "orange",
                                 "cyan", "purple", "white", "black",  "silver", "brown"};
 
+// A phone's, of 12 megapixels and a focal length like 26 mm on a full frame.
 Lens orbit_lens(double distortion) {
   Lens lens;
   lens.model = distortion == 0.0 ? LensModel::pinhole : LensModel::opencv;
-  lens.width_px = 1414;
-  lens.height_px = 1061;
-  lens.focal_px = {1067.0, 1067.3};
-  lens.principal_px = {712.0, 525.5};
+  lens.width_px = 4032;
+  lens.height_px = 3024;
+  lens.focal_px = {3030.0, 3030.9};
+  lens.principal_px = {2030.0, 1498.0};
   lens.distortion = {distortion, -0.3 * distortion, 0.002 * distortion, 0.003 * distortion};
   return lens;
 }
@@ -41,11 +42,9 @@ Camera looking_at(const Lens& lens, const std::string& name, const dvec3& place,
 
 void add_markers(const OrbitOptions& options, Random& random, Orbit& orbit) {
   for (int i = 0; i < options.markers; ++i) {
-    const double angle =
-        2.0 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / options.markers;
+    const double angle = 2.0 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / options.markers;
     const double radius = random.uniform(0.7, 2.4);
-    const dvec3 ball(radius * std::cos(angle), radius * std::sin(angle),
-                     random.uniform(0.4, 1.9));
+    const dvec3 ball(radius * std::cos(angle), radius * std::sin(angle), random.uniform(0.4, 1.9));
     const std::string name = i < 12 ? kColours[i] : "marker " + std::to_string(i);
     orbit.names.push_back(name);
     orbit.points.push_back(ball);
@@ -63,9 +62,9 @@ void add_cameras(const OrbitOptions& options, Random& random, Orbit& orbit) {
     const double radius =
         options.radius_m * (1.0 + random.uniform(-options.radius_jitter, options.radius_jitter));
     const bool high = options.second_height_m > 0.0 && i % 2 == 1;
-    const dvec3 place(radius * std::cos(angle), radius * std::sin(angle),
-                      (high ? options.second_height_m : options.eye_m) +
-                          random.uniform(-0.05, 0.05));
+    const dvec3 place(
+        radius * std::cos(angle), radius * std::sin(angle),
+        (high ? options.second_height_m : options.eye_m) + random.uniform(-0.05, 0.05));
     const dvec3 target = kCrown + dvec3(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3),
                                         random.uniform(-0.3, 0.3));
     orbit.cameras.push_back(looking_at(orbit.lens, orbit_photo_name(i), place, target,
@@ -162,31 +161,37 @@ OrbitErrors orbit_errors(const Orbit& orbit, const Calibration& calibration) {
     const auto same = std::find_if(orbit.cameras.begin(), orbit.cameras.end(),
                                    [&](const Camera& c) { return c.name == camera.name; });
     true_cameras.push_back(&*same);
+    if (finding_of(calibration, camera.name).fate != PhotoFate::placed) continue;
     found.push_back(camera.centre_in_world());
     truth.push_back(same->centre_in_world());
   }
   const Similarity truth_from_found = fit_similarity(found, truth);
+  const std::size_t points = calibration.points.size();
+  const Similarity by_points =
+      fit_similarity(std::span(found).first(points), std::span(truth).first(points));
   OrbitErrors errors;
-  errors.scale_error = truth_from_found.scale - 1.0;
+  errors.scale_error = by_points.scale - 1.0;
   std::vector<double> marker_errors;
   double squares = 0.0;
   for (std::size_t i = 0; i < calibration.points.size(); ++i) {
-    marker_errors.push_back(glm::distance(truth_from_found * found[i], truth[i]));
+    marker_errors.push_back(glm::distance(by_points * found[i], truth[i]));
     squares += marker_errors.back() * marker_errors.back();
   }
   errors.marker_rms_m = std::sqrt(squares / double(marker_errors.size()));
   std::sort(marker_errors.begin(), marker_errors.end());
   errors.marker_median_m = marker_errors[marker_errors.size() / 2];
+  double crown_squares = 0.0, placed = 0.0;
   for (std::size_t i = 0; i < calibration.cameras.size(); ++i) {
     const Camera& camera = calibration.cameras[i];
     const Camera there{camera.name, camera.lens, moved(camera.camera_from_world, truth_from_found)};
     const auto seen = project(there, kCrown), should = project(*true_cameras[i], kCrown);
     errors.crown_px.push_back(seen && should ? glm::distance(*seen, *should) : 1e6);
-    double& worst = finding_of(calibration, camera.name).fate == PhotoFate::placed
-                        ? errors.worst_crown_px
-                        : errors.worst_uncertain_crown_px;
-    worst = std::max(worst, errors.crown_px.back());
+    if (finding_of(calibration, camera.name).fate != PhotoFate::placed) continue;
+    errors.worst_crown_px = std::max(errors.worst_crown_px, errors.crown_px.back());
+    crown_squares += errors.crown_px.back() * errors.crown_px.back();
+    placed += 1.0;
   }
+  errors.crown_rms_px = std::sqrt(crown_squares / std::max(placed, 1.0));
   return errors;
 }
 
