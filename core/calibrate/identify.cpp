@@ -12,6 +12,7 @@ namespace {
 using glm::vec2;
 
 constexpr float kOneColour = 18.0f;     // saturation; balls nearer than this are of one group
+constexpr float kPaler = 0.25f;         // share by which one group's saturation may differ
 constexpr double kClearlySeen = 0.8;    // share of the disc that must show to found a group
 constexpr double kSurelySeen = 0.06;    // sigma over radius that it must not exceed for that
 constexpr double kOneLength = 0.11;     // relative difference of sticks' lengths
@@ -54,9 +55,18 @@ void update_colour(Photos photos, Group& group) {
   group.lightness = median_of(photos, group.members, [](const auto& b) { return b.lightness; });
 }
 
+// Dark photos leave a colour less saturated, but not of another hue.
+bool are_alike(const vec2& a, const vec2& b) {
+  if (glm::distance(a, b) < kOneColour) return true;
+  const float la = glm::length(a), lb = glm::length(b), most = std::max(la, lb);
+  const float aside = std::abs(a.x * b.y - a.y * b.x) / most;
+  return glm::dot(a, b) > 0.0f && aside < 0.6f * kOneColour &&
+         most - std::min(la, lb) < kPaler * most;
+}
+
 bool are_linked(Photos photos, const Group& group, const SightedBall& ball) {
   return std::any_of(group.members.begin(), group.members.end(), [&](const BallPlace& place) {
-    return glm::distance(at(photos, place).saturation, ball.saturation) < kOneColour;
+    return are_alike(at(photos, place).saturation, ball.saturation);
   });
 }
 
