@@ -59,17 +59,16 @@ std::vector<PhotoFinding> camera_findings(const Solution& solution, const SolveQ
 
 CrownView crown_view(const Solution& solution) {
   const Lens& lens = solution.input.lens;
-  return {crown_point(solution.state), 0.25 * std::min(lens.width_px, lens.height_px)};
+  return {crown_point(solution.state), 0.1 * std::min(lens.width_px, lens.height_px)};
 }
 
-void add_uncertainties(const Solution& solution, double noise, const BundleCovariance& of_world,
-                       const Progress& progress, std::vector<PhotoFinding>& findings) {
+void add_uncertainties(const Solution& solution, const BundleCovariance& covariance,
+                       std::vector<PhotoFinding>& findings) {
   const BundleProblem& problem = solution.input.problem;
   const CrownView view = crown_view(solution);
-  const BundleCovariance shape = crown_covariance(problem, solution.state, noise, view, progress);
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    findings[i].crown_sigma_px = crown_sigma_px(shape, problem, solution.state, int(i), view);
-    findings[i].centre_covariance_m2 = glm_matrix(of_world.centre(int(i)));
+    findings[i].crown_sigma_px = crown_sigma_px(covariance, problem, solution.state, int(i), view);
+    findings[i].centre_covariance_m2 = glm_matrix(covariance.centre(int(i)));
   }
 }
 
@@ -185,8 +184,8 @@ Calibration report(const Solution& solution, const SolveQuestion& question,
   calibration.lens = solved_lens(solution, question.lens);
   calibration.lens_was_known = question.lens.known;
   std::vector<PhotoFinding> findings = camera_findings(solution, question, errors);
-  const BundleCovariance covariance(problem, solution.state, noise, {}, progress);
-  add_uncertainties(solution, noise, covariance, progress, findings);
+  const BundleCovariance covariance(problem, solution.state, noise, progress);
+  add_uncertainties(solution, covariance, findings);
   judge_photos(solution, question, findings);
   calibration.points = solved_points(solution, covariance, errors, progress);
   calibration.residuals = residuals_of(solution, question, errors);

@@ -17,7 +17,7 @@ std::string pixels(double focal_px) { return number_text(focal_px, 0) + " px"; }
 std::optional<std::string> free_lens_doubt(const Solution& solution, const LensKnowledge& knowledge,
                                            const BundleCovariance& covariance) {
   const double focal_px = solution.state.intrinsics[0], guess_px = knowledge.lens.focal_px.x;
-  const double sigma_px = std::sqrt(covariance.lens_and_camera(0)(0, 0));
+  const double sigma_px = std::sqrt(covariance.aligned_lens_and_camera(0)(0, 0));
   if (sigma_px > kWeak * focal_px)
     return "the photos tell the focal length to " + number_text(100.0 * sigma_px / focal_px, 1) +
            " % only: photograph a board with the same lens, or add markers nearer and farther "

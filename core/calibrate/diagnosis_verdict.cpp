@@ -121,8 +121,7 @@ void add_world_sentences(const Calibration& calibration, std::vector<std::string
 }
 
 // Photos that are uncertain at the crown share a sentence when they are many.
-void add_photo_sentences(const Calibration& calibration, const SolveOptions& options,
-                         std::vector<std::string>& sentences) {
+void add_photo_sentences(const Calibration& calibration, std::vector<std::string>& sentences) {
   constexpr std::size_t kMany = 4;
   std::vector<std::string> others, at_crown;
   double least_px = 1e9, most_px = 0.0;
@@ -130,7 +129,7 @@ void add_photo_sentences(const Calibration& calibration, const SolveOptions& opt
     for (const PhotoFinding& finding : calibration.photos) {
       if (finding.fate != fate) continue;
       const bool by_crown =
-          fate == PhotoFate::uncertain && finding.crown_sigma_px > options.uncertain_crown_px;
+          fate == PhotoFate::uncertain && finding.reason.starts_with("is uncertain");
       (by_crown ? at_crown : others).push_back("photo " + finding.photo + " " + finding.reason);
       if (!by_crown) continue;
       least_px = std::min(least_px, finding.crown_sigma_px);
@@ -176,6 +175,16 @@ void judge_photos(const Solution& solution, const SolveQuestion& question,
                   std::vector<PhotoFinding>& findings) {
   for (std::size_t i = 0; i < findings.size(); ++i)
     judge_photo(solution, question, int(i), findings[i]);
+  const double good_px = question.options.uncertain_crown_px;
+  const auto poor = std::count_if(findings.begin(), findings.end(), [&](const PhotoFinding& f) {
+    return f.crown_sigma_px > good_px;
+  });
+  for (PhotoFinding& finding : findings) {
+    if (2 * std::size_t(poor) <= findings.size() || finding.fate != PhotoFate::placed) continue;
+    finding.fate = PhotoFate::uncertain;
+    finding.reason = "is uncertain because most photos are, by more than " +
+                     number_text(good_px, 1) + " px at the crown: add markers, or know the lens";
+  }
 }
 
 void judge(const Solution& solution, const SolveQuestion& question, double noise,
@@ -196,7 +205,7 @@ void judge(const Solution& solution, const SolveQuestion& question, double noise
   for (const std::string& sentence :
        swapped_names(solution.input, solution.state, question.photos, solution.loss))
     sentences.push_back(sentence);
-  add_photo_sentences(calibration, question.options, sentences);
+  add_photo_sentences(calibration, sentences);
   add_survey_sentences(solution, sentences);
   add_world_sentences(calibration, sentences);
   for (const std::string& sentence : solution.input.sentences) sentences.push_back(sentence);

@@ -9,8 +9,8 @@
 namespace bosk {
 
 // Fates and reasons of the photos that were solved: refused when their uncertainty at the crown is
-// beyond use, uncertain when it is large, when another place of the camera fits as well, or when
-// there are too few sightings to check each other.
+// beyond use, uncertain when it (or most photos', which share their errors) is large, when another
+// place of the camera fits as well, or when there are too few sightings to check each other.
 void judge_photos(const Solution& solution, const SolveQuestion& question,
                   std::vector<PhotoFinding>& findings);
 

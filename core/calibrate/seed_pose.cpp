@@ -14,7 +14,7 @@ namespace bosk {
 namespace {
 
 constexpr std::size_t kMostTriples = 84;  // all of 9 sightings
-constexpr std::size_t kMostRefined = 6;
+constexpr std::size_t kMostRefined = 10;
 
 using Triple = std::array<std::size_t, 3>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -115,8 +115,8 @@ RigidTransform moved(const RigidTransform& pose, const Vector6& step) {
 bool same_view(const RigidTransform& a, const RigidTransform& b) {
   const glm::dmat3 turn = a.rotation * glm::transpose(b.rotation);
   const glm::dvec3 apart = inverse(a).translation - inverse(b).translation;
-  return glm::length(rodrigues_from_rotation(nearest_rotation(turn))) < 0.02 &&
-         glm::length(apart) < 0.02 * glm::length(a.translation);
+  return glm::length(rodrigues_from_rotation(nearest_rotation(turn))) < 0.001 &&
+         glm::length(apart) < 0.001 * glm::length(a.translation);
 }
 
 }  // namespace

@@ -28,6 +28,13 @@ bool fits_badly(double cost, std::size_t sightings, double loss_scale) {
   return cost > 0.25 * double(sightings) * loss_scale * loss_scale;
 }
 
+// A camera with few sightings is doubted for one mistake: another pose may make it two right ones.
+bool is_doubtful(double cost, std::size_t sightings, double loss_scale) {
+  constexpr std::size_t kFew = 40;
+  return sightings <= kFew ? cost > loss_scale * loss_scale
+                           : fits_badly(cost, sightings, loss_scale);
+}
+
 PartialScene all_known(const BundleState& state) {
   return {{state.camera_from_world.begin(), state.camera_from_world.end()},
           {state.points.begin(), state.points.end()}};
@@ -38,10 +45,10 @@ void repair_cameras(const SeedScene& scene, double loss_scale, BundleState& stat
   const PartialScene partial = all_known(state);
   for (std::size_t i = 0; i < scene.cameras(); ++i) {
     const double cost = cost_of(errors, *scene.problem, scene.of_camera[i], loss_scale);
-    if (!fits_badly(cost, scene.of_camera[i].size(), loss_scale)) continue;
+    if (!is_doubtful(cost, scene.of_camera[i].size(), loss_scale)) continue;
     const auto sightings = pose_sightings(scene, partial, i);
     const auto poses = place_camera(sightings, loss_scale);
-    if (!poses.empty() && poses.front().cost < 0.8 * cost)
+    if (!poses.empty() && poses.front().cost < 0.9 * cost)
       state.camera_from_world[i] = poses.front().camera_from_world;
   }
 }

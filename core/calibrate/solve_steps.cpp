@@ -52,6 +52,13 @@ std::vector<KnownSighting> known_sightings(const Solution& solution, int camera)
   return result;
 }
 
+// Cameras that settled on a wrong sighting are placed anew where that fits more right ones.
+void reconsider(const BundleProblem& problem, Solution& solution, const Progress& progress) {
+  repair(problem, lens_of(problem.family, solution.state.intrinsics, 1, 1), solution.loss,
+         solution.state);
+  solve_bundle(problem, solution.state, {solution.loss, 30}, progress);
+}
+
 // What EXIF says of the photo's focal length, relative to the median of all.
 std::optional<double> exif_focal_ratio(std::span<const PhotoSightings> photos, std::size_t photo) {
   std::vector<double> focal_px;
@@ -156,7 +163,8 @@ void solve_in_world(Solution& solution, const Progress& progress) {
     solve_bundle(problem, solution.state, {60.0, 10}, progress);
     solve_bundle(problem, solution.state, {20.0, 10}, progress);
   }
-  solve_bundle(problem, solution.state, {solution.loss, 30}, progress);
+  solve_bundle(problem, solution.state, {solution.loss, 20}, progress);
+  reconsider(problem, solution, progress);
 }
 
 }  // namespace
@@ -183,6 +191,7 @@ void settle(Solution& solution, const Progress& progress) {
     solve_bundle(problem, solution.state, {4.0 * loss, 15}, progress);
     solve_bundle(problem, solution.state, {loss, 30}, progress);
   }
+  reconsider(problem, solution, progress);
 }
 
 bool leave_out_photos(Solution& solution, const SolveQuestion& question, Progress& progress) {

@@ -1,10 +1,11 @@
 #include "core/calibrate/uncertainty.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "core/calibrate/bundle_loss.h"
 #include "core/calibrate/bundle_project.h"
 
 namespace bosk {
@@ -13,6 +14,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
+using Matrix37 = Eigen::Matrix<double, 3, 7>;
 
 Matrix3d eigen(const glm::dmat3& m) {
   Matrix3d result;
@@ -22,6 +25,14 @@ Matrix3d eigen(const glm::dmat3& m) {
 }
 
 Vector3d eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+// How a place moves with the world.
+Matrix37 by_move(const glm::dvec3& from_centre) {
+  const Vector3d arm = eigen(from_centre);
+  Matrix37 by;
+  by << Matrix3d::Identity(), -cross_matrix(arm), arm;
+  return by;
+}
 
 BundleProblem with_noise(BundleProblem problem, double noise) {
   for (BundleSighting& sighting : problem.sightings) sighting.sigma_px *= noise;
@@ -45,21 +56,62 @@ MatrixXd inverse_of(MatrixXd matrix) {
 }  // namespace
 
 BundleCovariance::BundleCovariance(const BundleProblem& problem, const BundleState& state,
-                                   double noise, const MatrixXd& pins, const Progress& progress)
+                                   double noise, const Progress& progress)
     : state_(state),
       equations_(normal_equations(with_noise(problem, noise), state, kLeastSquares, progress)) {
-  if (pins.cols() > 0) equations_.dense.selfadjointView<Eigen::Lower>().rankUpdate(pins, kPinned);
   ReducedSystem system = reduced(equations_, 0.0, progress);
   dense_ = inverse_of(std::move(system.matrix));
   own_inverse_ = std::move(system.own_inverse);
+  centre_ = mean_centre(state);
+  alignment_ = alignment();
 }
 
-MatrixXd BundleCovariance::lens_and_camera(int camera) const {
-  const int lens = int(equations_.layout.lens.size()), begin = equations_.layout.camera(camera);
-  MatrixXd result(lens + 6, lens + 6);
-  result << dense_.topLeftCorner(lens, lens), dense_.block(0, begin, lens, 6),
-      dense_.block(begin, 0, 6, lens), dense_.block(begin, begin, 6, 6);
+// The move m that brings changes x_i of places p_i back is least squares' N^-1 sum D_i^T x_i, with
+// D_i = [1, -[p_i - centre], p_i - centre] and N = sum D_i^T D_i.
+BundleCovariance::Alignment BundleCovariance::alignment() const {
+  Matrix7 normal = Matrix7::Zero();
+  std::vector<Matrix37> of_cameras, of_points;
+  for (const RigidTransform& camera : state_.camera_from_world)
+    of_cameras.push_back(by_move(inverse(camera).translation - centre_));
+  for (const glm::dvec3& point : state_.points) of_points.push_back(by_move(point - centre_));
+  for (const Matrix37& by : of_cameras) normal += by.transpose() * by;
+  for (std::size_t i = 0; i < of_points.size(); ++i)
+    if (is_seen(int(i))) normal += of_points[i].transpose() * of_points[i];
+  const Matrix7 inverse_normal = normal.inverse();
+  Alignment result;
+  result.by_dense = MatrixXd::Zero(7, dense_.rows());
+  for (std::size_t i = 0; i < of_cameras.size(); ++i)
+    result.by_dense.middleCols<3>(equations_.layout.camera(int(i)) + 3) -=
+        inverse_normal * of_cameras[i].transpose() *
+        eigen(state_.camera_from_world[i].rotation).transpose();
+  for (std::size_t i = 0; i < of_points.size(); ++i) {
+    if (!is_seen(int(i))) continue;
+    const Eigen::Matrix<double, 7, 3> by = inverse_normal * of_points[i].transpose();
+    for (const auto& [offset, value] : change_by_dense(int(i)))
+      result.by_dense.middleCols(offset, value.rows()) += by * value.transpose();
+    result.own += by * own(int(i)) * by.transpose();
+  }
   return result;
+}
+
+MatrixXd BundleCovariance::aligned_lens_and_camera(int camera) const {
+  const int lens = int(equations_.layout.lens.size()), begin = equations_.layout.camera(camera);
+  MatrixXd moves(lens + 6, 7);
+  for (int i = 0; i < 7; ++i) {
+    GaugeMove move{};
+    move[std::size_t(i)] = 1.0;
+    moves.col(i) << Eigen::VectorXd::Zero(lens),
+        gauge_direction(equations_.layout, state_, move, centre_).segment(begin, 6);
+  }
+  MatrixXd by_dense = -moves * alignment_.by_dense;
+  by_dense.topLeftCorner(lens, lens) += MatrixXd::Identity(lens, lens);
+  by_dense.block(lens, begin, 6, 6) += MatrixXd::Identity(6, 6);
+  return by_dense * dense_ * by_dense.transpose() + moves * alignment_.own * moves.transpose();
+}
+
+bool BundleCovariance::is_seen(int point) const {
+  const auto index = std::size_t(point);
+  return equations_.layout.kept_offset[index] >= 0 || !equations_.points[index].couples.empty();
 }
 
 Matrix3d BundleCovariance::centre(int camera) const {
@@ -153,48 +205,11 @@ std::vector<MatrixXd> ring_derivatives(const BundleProblem& problem, const Bundl
   return derivatives;
 }
 
-// B^T B of the derivatives B of all rings by the dense part.
-MatrixXd ring_normal(const BundleProblem& problem, const BundleState& state,
-                     const BundleLayout& layout, const CrownView& view) {
-  MatrixXd normal = MatrixXd::Zero(layout.dense_size, layout.dense_size);
-  const int lens = int(layout.lens.size());
-  for (int camera = 0; camera < int(state.camera_from_world.size()); ++camera) {
-    const int begin = layout.camera(camera);
-    for (const MatrixXd& by : ring_derivatives(problem, state, camera, view)) {
-      const MatrixXd own = by.transpose() * by;
-      normal.topLeftCorner(lens, lens) += own.topLeftCorner(lens, lens);
-      normal.block(0, begin, lens, 6) += own.topRightCorner(lens, 6);
-      normal.block(begin, 0, 6, lens) += own.bottomLeftCorner(6, lens);
-      normal.block(begin, begin, 6, 6) += own.bottomRightCorner(6, 6);
-    }
-  }
-  return normal;
-}
-
 }  // namespace
-
-// Of all changes that differ by moves of the world, the one whose ring pixels B x are least has
-// G^T B^T B x = 0, G being the moves: so B^T B G is pinned.
-BundleCovariance crown_covariance(const BundleProblem& problem, const BundleState& state,
-                                  double noise, const CrownView& view, const Progress& progress) {
-  BundleProblem shape = problem;
-  shape.pinned.clear();
-  const BundleLayout layout = layout_of(problem, state);
-  MatrixXd moves(layout.dense_size, 7);
-  for (int i = 0; i < 7; ++i) {
-    GaugeMove move{};
-    move[std::size_t(i)] = 1.0;
-    moves.col(i) = gauge_direction(layout, state, move, view.crown).normalized();
-  }
-  const MatrixXd pins = ring_normal(problem, state, layout, view) * moves;
-  const Eigen::HouseholderQR<MatrixXd> factor(pins);
-  const MatrixXd basis = factor.householderQ() * MatrixXd::Identity(pins.rows(), 7);
-  return {shape, state, noise, basis, progress};
-}
 
 double crown_sigma_px(const BundleCovariance& covariance, const BundleProblem& problem,
                       const BundleState& state, int camera, const CrownView& view) {
-  const MatrixXd both = covariance.lens_and_camera(camera);
+  const MatrixXd both = covariance.aligned_lens_and_camera(camera);
   const std::vector<MatrixXd> derivatives = ring_derivatives(problem, state, camera, view);
   double sum = 0.0;
   for (const MatrixXd& by : derivatives) sum += (by * both * by.transpose()).trace();

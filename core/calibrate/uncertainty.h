@@ -12,19 +12,26 @@ namespace bosk {
 // place, orientation and size count as exact. Sightings that aren't used don't count.
 class BundleCovariance {
  public:
-  // `noise` multiplies every sighting's sigma: what residuals say of it. `pins` are columns of
-  // changes of the dense part (see BundleLayout) that count as impossible, besides
-  // problem.pinned. Throws Cancelled.
+  // `noise` multiplies every sighting's sigma: what residuals say of it. Throws Cancelled.
   BundleCovariance(const BundleProblem& problem, const BundleState& state, double noise,
-                   const Eigen::MatrixXd& pins, const Progress& progress);
+                   const Progress& progress);
 
-  Eigen::MatrixXd lens_and_camera(int camera) const;  // free intrinsics, then rotation, translation
-  Eigen::Matrix3d centre(int camera) const;           // of a camera, in the world
+  // Free intrinsics, then rotation and translation, after the similarity by which all cameras and
+  // points together lie as near to the truth as they can: the shape's uncertainty, whatever is
+  // known of place, orientation and size.
+  Eigen::MatrixXd aligned_lens_and_camera(int camera) const;
+  Eigen::Matrix3d centre(int camera) const;             // of a camera, in the world
   Eigen::Matrix3d points(int first, int second) const;  // covariance of one with the other
   double distance_sigma(int first, int second) const;   // between two points
   double scale_sigma() const;                           // of the cameras' mean distance, relative
 
  private:
+  struct Alignment {
+    Eigen::MatrixXd by_dense;  // 7 x dense: the move that fits a change best
+    Eigen::Matrix<double, 7, 7> own = Eigen::Matrix<double, 7, 7>::Zero();  // from points' own part
+  };
+  Alignment alignment() const;
+  bool is_seen(int point) const;
   std::vector<EliminatedPoint::Couple> change_by_dense(int point) const;
   Eigen::Matrix3d own(int point) const;
 
@@ -32,6 +39,8 @@ class BundleCovariance {
   NormalEquations equations_;
   Eigen::MatrixXd dense_;  // covariance of the dense part
   std::vector<Eigen::Matrix3d> own_inverse_;
+  glm::dvec3 centre_{0.0};
+  Alignment alignment_;
 };
 
 // The crown and its surroundings as every camera sees them: the crown point and a ring of eight
@@ -42,12 +51,8 @@ struct CrownView {
 };
 std::vector<glm::dvec3> crown_ring(const BundleState& state, int camera, const CrownView& view);
 
-// The covariance of the cameras' shape: whatever was measured of size, place and orientation, the
-// moves of the world count as made so that the cameras see the crown as nearly as they can where
-// they should.
-BundleCovariance crown_covariance(const BundleProblem& problem, const BundleState& state,
-                                  double noise, const CrownView& view, const Progress& progress);
-// One sigma, radial, of where the camera sees the crown: the root mean square over the ring.
+// One sigma, radial, of where the camera sees the crown: the root mean square over the ring,
+// after the similarity of BundleCovariance::aligned_lens_and_camera.
 double crown_sigma_px(const BundleCovariance& covariance, const BundleProblem& problem,
                       const BundleState& state, int camera, const CrownView& view);
 

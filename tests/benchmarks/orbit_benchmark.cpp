@@ -1,7 +1,8 @@
 // orbit_benchmark: accuracy and CPU time of finding cameras from markers, on walks whose truth is
 // known.
 //
-//   orbit_benchmark [--seeds=50] [--table=all|neat|walks|uncertainty|features] [--verbose]
+//   orbit_benchmark [--seeds=50] [--table=all|neat|walks|uncertainty|features] [--walk=NAME]
+//   [--verbose]
 //
 // Every solve starts from sightings alone. Errors are after the similarity that fits best; CPU time
 // counts all threads.
@@ -27,11 +28,18 @@ namespace bosk {
 namespace {
 
 bool verbose = false;
+std::string only;  // walks whose name has this in it
 
 double median_of(std::vector<double> values) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
+}
+
+double share_of(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[std::size_t(share * double(values.size()))];
 }
 
 struct Solved {
@@ -54,12 +62,13 @@ struct Tally {
   int over_2px = 0;    // placed photos whose crown is off by more
   int silent = 0;      // of them, those beyond four of their sigmas
   int bad_solves = 0;  // accepted solves with more than 2 px, root mean square over placed photos
-  std::vector<double> marker_m, solve_crown_px, crown_px, in_sigmas, cpu_s;
+  std::vector<double> marker_m, solve_crown_px, crown_px, in_sigmas, cpu_s, sigma_px;
 };
 
 void add_photo(const PhotoFinding& finding, double crown_px, Tally& tally) {
   const bool placed = finding.fate == PhotoFate::placed;
   ++(placed ? tally.placed : tally.uncertain);
+  tally.sigma_px.push_back(finding.crown_sigma_px);
   if (!placed) return;
   tally.crown_px.push_back(crown_px);
   tally.in_sigmas.push_back(crown_px / finding.crown_sigma_px);
@@ -114,6 +123,10 @@ void print(const std::string& name, const Tally& tally) {
               median_of(tally.crown_px), worst(tally.solve_crown_px), tally.bad_solves,
               root_mean_square(tally.in_sigmas), tally.over_2px, tally.silent,
               median_of(tally.cpu_s));
+  if (verbose)
+    for (const double share : {0.1, 0.5, 0.9})
+      std::printf("  sigma at the crown of %.0f %% of photos %.2f px\n", 100.0 * share,
+                  share_of(tally.sigma_px, share));
   std::fflush(stdout);
 }
 
@@ -176,7 +189,7 @@ double distance_spread_over_prediction(std::uint64_t seed, int draws) {
     noisy.lengths[0].length += noisy.lengths[0].sigma * random.normal();
     BundleState state = exact.state;
     solve_bundle(noisy, state, {kLeastSquares, 20}, progress);
-    const BundleCovariance covariance(noisy, state, noise_factor(noisy, state), {}, progress);
+    const BundleCovariance covariance(noisy, state, noise_factor(noisy, state), progress);
     for (std::size_t a = 0; a < points.size(); ++a) {
       for (std::size_t b = a + 1; b < points.size(); ++b) {
         const double off =
@@ -224,9 +237,10 @@ void walks(int seeds) {
   std::printf("\nwalks that aren't neat, one tape\n");
   print_header();
   for (const Kind& kind : kinds)
-    for (const bool known : {true, false})
-      print(std::string(kind.name) + (known ? ", known" : ", free"),
-            tally_of(kind.options, known, seeds));
+    if (std::string(kind.name).find(only) != std::string::npos)
+      for (const bool known : {true, false})
+        print(std::string(kind.name) + (known ? ", known" : ", free"),
+              tally_of(kind.options, known, seeds));
 }
 
 // Distances between all pairs of markers over 30 draws of noise, against what the first draw says.
@@ -270,11 +284,12 @@ int run(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     seeds = number_after(argv[i], "--seeds=", seeds);
     if (std::strncmp(argv[i], "--table=", 8) == 0) table = argv[i] + 8;
+    if (std::strncmp(argv[i], "--walk=", 7) == 0) only = argv[i] + 7;
     if (std::strcmp(argv[i], "--verbose") == 0) verbose = true;
     if (std::strcmp(argv[i], "--help") == 0) {
       std::printf(
           "orbit_benchmark [--seeds=50] [--table=all|neat|walks|uncertainty|features] "
-          "[--verbose]\n");
+          "[--walk=NAME] [--verbose]\n");
       return 0;
     }
   }

@@ -121,7 +121,7 @@ TEST(BundleCovariance, PredictsTheSpreadOfDistances) {
       {0, 3, glm::distance(exact.state.points[0], exact.state.points[3]), 0.002, true}};
   problem.pinned = {{1, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0, 0},
                     {0, 0, 0, 1, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 0, 1, 0}};
-  const BundleCovariance covariance(problem, exact.state, 1.0, {}, Progress{});
+  const BundleCovariance covariance(problem, exact.state, 1.0, Progress{});
   double predicted = 0.0, observed = 0.0;
   for (int a = 0; a < 7; ++a)
     for (int b = a + 1; b < 7; ++b) predicted += std::pow(covariance.distance_sigma(a, b), 2.0);

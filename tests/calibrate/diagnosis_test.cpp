@@ -189,5 +189,30 @@ TEST(Diagnosis, NoiseBeyondWhatSightingsClaimWidensTheirErrors) {
   EXPECT_GT(sum / 12.0, 1.5);  // about six times the 0.5 of half a pixel
 }
 
+// Walks that determine little. Whatever is given as placed lies where its sigma says.
+TEST(Diagnosis, NoPoorWalkIsSilentlyWrong) {
+  const std::vector<OrbitOptions> poor = {
+      {.seed = 18, .photos = 10, .markers = 4, .missing = 0.0},
+      {.seed = 19, .photos = 10, .markers = 5, .fewest_sightings = 4},
+      {.seed = 20, .photos = 10, .missing = 0.6, .fewest_sightings = 3},
+      {.seed = 21, .photos = 4},
+      {.seed = 22, .photos = 10, .turns = 0.1},
+  };
+  for (const OrbitOptions& options : poor) {
+    const Orbit orbit = make_orbit(options);
+    const Calibration calibration = solve(orbit, false);
+    EXPECT_NE(calibration.verdict, Verdict::good);
+    EXPECT_FALSE(calibration.sentences.empty());
+    if (calibration.verdict == Verdict::refused) continue;
+    const OrbitErrors errors = orbit_errors(orbit, calibration);
+    for (std::size_t i = 0; i < errors.crown_px.size(); ++i) {
+      const PhotoFinding& finding = finding_of(calibration, calibration.cameras[i].name);
+      if (finding.fate != PhotoFate::placed) continue;
+      EXPECT_LT(errors.crown_px[i], std::max(2.0, 4.0 * finding.crown_sigma_px))
+          << "seed " << options.seed << " " << finding.photo;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bosk
