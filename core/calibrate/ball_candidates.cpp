@@ -8,7 +8,7 @@
 namespace bosk {
 namespace {
 
-constexpr std::array kRadii{2.6, 3.4, 4.5, 6.0, 8.0};
+constexpr std::array kRadii{2.6, 3.5, 4.7};
 constexpr float kLeastStrength = 7.0f;
 
 cv::Mat smoothed(const cv::Mat& saturation, double sigma) {

@@ -22,6 +22,7 @@ constexpr double kLeastEdge = 0.45;        // share of the edge that lies on the
 constexpr double kMostSpill = 0.30;        // share of the ball's colour right around it
 constexpr double kMostCommon = 12.0;       // pixels of the ball's colour in the photo, in discs
 constexpr double kHiddenSigma = 0.5;       // in radii, where the whole edge is hidden
+constexpr double kMostDoubt = 0.125;       // sigma over radius
 constexpr int kRays = 40;
 constexpr double kLeastEdgeSigma = 0.12;  // of an edge point, pixels
 
@@ -258,7 +259,9 @@ std::optional<SightedBall> measure_disc(const BallImage& image, const BallCandid
   if (!exact || exact->inliers < kLeastEdge * kRays) return {};
   const Cover cover = cover_of(image.saturation, colours, *exact);
   if (cover.inside < least_visible || cover.around > kMostSpill) return {};
-  return ball_of(*exact, colours, cover);
+  const SightedBall ball = ball_of(*exact, colours, cover);
+  if (ball.sigma_px > kMostDoubt * ball.radius_px) return {};
+  return ball;
 }
 
 }  // namespace bosk

@@ -1,5 +1,7 @@
 #include "core/calibrate/balls.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "core/calibrate/ball_candidates.h"
@@ -43,19 +45,27 @@ std::vector<SightedBall> without_doubles(std::vector<SightedBall> balls) {
   return kept;
 }
 
+bool has_size(const SightedBall& ball, const BallOptions& options) {
+  const double diameter = 2.0 * ball.radius_px;
+  return diameter >= options.smallest_diameter_px && diameter <= options.largest_diameter_px;
+}
+
 void find_in_level(const Image<glm::vec3>& srgb, int level, const BallOptions& options,
                    const Progress& progress, std::vector<SightedBall>& found) {
   const BallImage image = ball_image(srgb);
-  for (const BallCandidate& blob : find_blobs(image.saturation, kMostBlobs)) {
+  const std::vector<BallCandidate> blobs = find_blobs(image.saturation, kMostBlobs);
+  std::vector<std::optional<SightedBall>> discs(blobs.size());
+  tbb::parallel_for(std::size_t(0), blobs.size(), [&](std::size_t i) {
     progress.check();
-    const auto disc = measure_disc(image, blob, options.least_visible);
-    if (!disc) continue;
-    SightedBall whole = *disc;
-    whole.foot = find_stick_foot(image, *disc);
-    const SightedBall ball = enlarged(whole, level);
-    const double diameter = 2.0 * ball.radius_px;
-    if (diameter >= options.smallest_diameter_px && diameter <= options.largest_diameter_px)
-      found.push_back(ball);
+    discs[i] = measure_disc(image, blobs[i], options.least_visible);
+  });
+  std::vector<SightedBall> balls;
+  for (const auto& disc : discs)
+    if (disc && has_size(enlarged(*disc, level), options)) balls.push_back(*disc);
+  for (SightedBall& ball : without_doubles(std::move(balls))) {
+    progress.check();
+    ball.foot = find_stick_foot(image, ball);
+    found.push_back(enlarged(ball, level));
   }
 }
 

@@ -12,7 +12,9 @@ namespace {
 using glm::vec2;
 
 constexpr float kOneColour = 18.0f;     // saturation; balls nearer than this are of one group
+constexpr float kPaler = 0.25f;         // share by which one group's saturation may differ
 constexpr double kClearlySeen = 0.8;    // share of the disc that must show to found a group
+constexpr double kSurelySeen = 0.06;    // sigma over radius that it must not exceed for that
 constexpr double kOneLength = 0.11;     // relative difference of sticks' lengths
 constexpr std::size_t kFewestFeet = 3;  // to tell a stick's length
 
@@ -53,33 +55,24 @@ void update_colour(Photos photos, Group& group) {
   group.lightness = median_of(photos, group.members, [](const auto& b) { return b.lightness; });
 }
 
-bool are_linked(Photos photos, const Group& group, const SightedBall& ball) {
-  return std::any_of(group.members.begin(), group.members.end(), [&](const BallPlace& place) {
-    return glm::distance(at(photos, place).saturation, ball.saturation) < kOneColour;
-  });
+// Dark photos leave a colour less saturated, but not of another hue.
+bool are_alike(const vec2& a, const vec2& b) {
+  if (glm::distance(a, b) < kOneColour) return true;
+  const float la = glm::length(a), lb = glm::length(b), most = std::max(la, lb);
+  const float aside = std::abs(a.x * b.y - a.y * b.x) / most;
+  return glm::dot(a, b) > 0.0f && aside < 0.6f * kOneColour &&
+         most - std::min(la, lb) < kPaler * most;
 }
 
-// Balls that chains of like colours connect are of one group (single linkage).
-void add_to_groups(Photos photos, const BallPlace& place, std::vector<Group>& groups) {
-  Group joined;
-  joined.members.push_back(place);
-  std::vector<Group> others;
-  for (Group& group : groups) {
-    if (are_linked(photos, group, at(photos, place)))
-      joined.members.insert(joined.members.end(), group.members.begin(), group.members.end());
-    else
-      others.push_back(std::move(group));
-  }
-  others.push_back(std::move(joined));
-  groups = std::move(others);
+bool is_clear(const SightedBall& ball) {
+  return ball.visible >= kClearlySeen && ball.sigma_px <= kSurelySeen * ball.radius_px;
 }
 
-std::vector<BallPlace> places(Photos photos, bool clearly_seen) {
+std::vector<BallPlace> places(Photos photos, bool clear) {
   std::vector<BallPlace> result;
   for (std::size_t photo = 0; photo < photos.size(); ++photo)
     for (std::size_t ball = 0; ball < photos[photo].size(); ++ball)
-      if ((photos[photo][ball].visible >= kClearlySeen) == clearly_seen)
-        result.push_back({photo, ball});
+      if (is_clear(photos[photo][ball]) == clear) result.push_back({photo, ball});
   return result;
 }
 
@@ -90,9 +83,54 @@ std::size_t photo_count(const Group& group) {
   return std::size_t(std::unique(photos.begin(), photos.end()) - photos.begin());
 }
 
+// The group whose colour is alike and nearest; none of them.
+Group* nearest_group(const vec2& saturation, std::vector<Group>& groups) {
+  Group* best = nullptr;
+  for (Group& group : groups) {
+    if (!are_alike(group.saturation, saturation)) continue;
+    if (!best ||
+        glm::distance(group.saturation, saturation) < glm::distance(best->saturation, saturation))
+      best = &group;
+  }
+  return best;
+}
+
+// Each ball joins the nearest of the groups as they are, or founds one.
+std::vector<Group> regrouped(Photos photos, std::span<const BallPlace> balls,
+                             std::vector<Group> groups) {
+  for (Group& group : groups) group.members.clear();
+  for (const BallPlace& place : balls) {
+    const vec2 saturation = at(photos, place).saturation;
+    Group* group = nearest_group(saturation, groups);
+    if (!group) group = &groups.emplace_back(Group{{}, saturation, 0.0f});
+    group->members.push_back(place);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.members.empty(); });
+  for (Group& group : groups) update_colour(photos, group);
+  return groups;
+}
+
+// Groups that came to be alike are one; its colour is that of the larger.
+std::vector<Group> merged(std::vector<Group> groups) {
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+    return a.members.size() > b.members.size();
+  });
+  std::vector<Group> kept;
+  for (Group& group : groups) {
+    Group* same = nearest_group(group.saturation, kept);
+    if (same)
+      same->members.insert(same->members.end(), group.members.begin(), group.members.end());
+    else
+      kept.push_back(std::move(group));
+  }
+  return kept;
+}
+
+// Like k-means with medians, and as many groups as there are colours that are not alike.
 std::vector<Group> groups_of_clear_balls(Photos photos) {
+  const std::vector<BallPlace> balls = places(photos, true);
   std::vector<Group> groups;
-  for (const BallPlace& place : places(photos, true)) add_to_groups(photos, place, groups);
+  for (int round = 0; round < 4; ++round) groups = merged(regrouped(photos, balls, groups));
   std::erase_if(groups, [](const Group& group) { return photo_count(group) < 2; });
   for (Group& group : groups) update_colour(photos, group);
   return groups;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/calibrate/uncertainty.h"
@@ -11,24 +12,38 @@
 namespace bosk {
 namespace {
 
-constexpr std::size_t kMostSeedPoints = 160;
+constexpr int kSeedShare = 25;    // points of each photo that seeds are tried on
 constexpr double kAsGood = 12.0;  // cost by which a second solve may be dearer and still as good
 constexpr double kElsewhere_px = 2.0;  // at the crown, by which two solves differ
 
 // The points that seeds are tried on, as indices into the input's, ascending: those that were
-// measured, then those in most photos.
+// measured, then those in most photos; but none of them where all photos that see it have their
+// share already, so that every photo can be placed by the few.
 std::vector<int> seed_points(const SolveInput& input) {
-  std::vector<int> seen(input.points.size(), 0), order;
+  std::vector<std::vector<int>> photos(input.points.size());
   for (const BundleSighting& sighting : input.problem.sightings)
-    ++seen[std::size_t(sighting.point)];
-  constexpr int kMeasured = 100'000;
-  for (const BodyRow& row : input.problem.bodies) seen[std::size_t(row.point)] += kMeasured;
-  for (int i = 0; i < int(seen.size()); ++i) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return seen[std::size_t(a)] > seen[std::size_t(b)]; });
-  if (order.size() > kMostSeedPoints) order.resize(kMostSeedPoints);
-  std::sort(order.begin(), order.end());
-  return order;
+    photos[std::size_t(sighting.point)].push_back(sighting.camera);
+  std::vector<bool> measured(input.points.size(), false);
+  for (const BodyRow& row : input.problem.bodies) measured[std::size_t(row.point)] = true;
+  std::vector<int> order(input.points.size()), taken(input.cameras(), 0), chosen;
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    const auto i = std::size_t(a), j = std::size_t(b);
+    return std::pair(bool(measured[i]), photos[i].size()) >
+           std::pair(bool(measured[j]), photos[j].size());
+  });
+  for (const int point : order) {
+    const std::vector<int>& seen_in = photos[std::size_t(point)];
+    const bool wanted = measured[std::size_t(point)] ||
+                        std::any_of(seen_in.begin(), seen_in.end(), [&](int camera) {
+                          return taken[std::size_t(camera)] < kSeedShare;
+                        });
+    if (!wanted) continue;
+    chosen.push_back(point);
+    for (const int camera : seen_in) ++taken[std::size_t(camera)];
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 // The input with these points only, and nothing measured but bodies' points.

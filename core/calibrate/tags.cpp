@@ -53,7 +53,6 @@ cv::Ptr<cv::aruco::Dictionary> dictionary_of(std::string_view name) {
 cv::Ptr<cv::aruco::DetectorParameters> detector_parameters() {
   auto parameters = cv::aruco::DetectorParameters::create();
   parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_CONTOUR;
-  parameters->adaptiveThreshWinSizeMax = 43;
   parameters->minMarkerPerimeterRate = 0.01;
   return parameters;
 }
