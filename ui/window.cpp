@@ -3,13 +3,13 @@
 #include <GL/glcorearb.h>
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/render/gl/gl_object.h"
+#include "ui/gl_overlay.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/theme.h"
 
@@ -126,11 +126,11 @@ void Window::start_overlay() {
   ImGui::StyleColorsDark();
   ImGui::GetStyle().ScaleAllSizes(scale);
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
-  ImGui_ImplOpenGL3_Init("#version 450");
+  start_gl_overlay();
 }
 
 Window::~Window() {
-  ImGui_ImplOpenGL3_Shutdown();
+  stop_gl_overlay();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
   glfwDestroyWindow(window_);
@@ -161,7 +161,7 @@ bool Window::wait(double seconds) {
 }
 
 void Window::begin_overlay() {
-  ImGui_ImplOpenGL3_NewFrame();
+  begin_gl_overlay();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
 }
@@ -169,7 +169,7 @@ void Window::begin_overlay() {
 void Window::draw_overlay() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  draw_gl_overlay();
 }
 
 void Window::present() { glfwSwapBuffers(window_); }
@@ -194,7 +194,7 @@ float Window::content_scale() const {
 void Window::set_theme(float scale) {
   apply_theme(scale);
   ImGui::GetIO().FontGlobalScale = 1.0f;
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made again, the font too, by the next frame
+  restart_gl_overlay();
 }
 
 }  // namespace bosk

@@ -37,11 +37,11 @@ void warn_of_result(const Photo& photo, const Matte& matte, Progress& progress) 
   const double mean = sum / double(std::max<std::size_t>(1, matte.rgba.size()));
   if (mean < kNothing) {
     progress.warn("photo " + photo.name +
-                  ": the matte is clear everywhere; draw white strokes over the tree in this "
+                  ": the matte is clear everywhere; draw strokes over the tree in this "
                   "photo, or leave it out");
   } else if (mean > kAll) {
     progress.warn("photo " + photo.name +
-                  ": the matte is opaque everywhere; draw black strokes over the background in "
+                  ": the matte is opaque everywhere; draw strokes over the background in "
                   "this photo, or leave it out");
   }
 }

@@ -54,8 +54,9 @@ void require_both_kinds(const Image<std::uint8_t>& strokes, const std::string& f
         file +
         ": has no strokes; draw white over the tree and black over the background on grey 128");
   }
-  throw Error(file + (foreground ? ": has no black strokes; draw some over the background"
-                                 : ": has no white strokes; draw some over the tree"));
+  throw Error(file + (foreground
+                          ? ": has no strokes over the background (black in a file); draw some"
+                          : ": has no strokes over the tree (white in a file); draw some"));
 }
 
 Image<std::uint8_t> drawing_in_photo(const Image<std::uint8_t>& drawn, const Photo& photo,

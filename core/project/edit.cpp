@@ -46,6 +46,9 @@ void set_strokes(const std::string& photo, const std::vector<Stroke>& drawn, Str
 }
 
 std::string title_of(const SetOption& edit) {
+  const bool stops = edit.name.ends_with(".stop_after");
+  if (stops && edit.after != "0") return "Stop and keep, pass " + edit.after;
+  if (stops) return "all passes";
   const auto shown = [](const std::string& value) { return value.empty() ? "nothing" : value; };
   return edit.name + " " + shown(edit.before) + " to " + shown(edit.after);
 }

@@ -73,7 +73,16 @@ void refresh_capture(Workspace& workspace) {
 }
 
 bool lacks_mattes(const Capture& capture) {
-  return capture.mattes.empty() && capture.scribbles.empty() && capture.strokes.empty();
+  const auto holds = [](const std::vector<Stroke>& strokes, StrokeKind kind) {
+    return std::any_of(strokes.begin(), strokes.end(),
+                       [&](const Stroke& stroke) { return stroke.kind == kind; });
+  };
+  const bool painted =
+      std::any_of(capture.strokes.begin(), capture.strokes.end(), [&](const auto& photo) {
+        return holds(photo.second, StrokeKind::foreground) &&
+               holds(photo.second, StrokeKind::background);
+      });
+  return capture.mattes.empty() && capture.scribbles.empty() && !painted;
 }
 
 }  // namespace bosk

@@ -14,7 +14,8 @@ void refresh_capture(Workspace& workspace);
 // Reads the project's files again, as after somebody changed them outside.
 void reread_files(Workspace& workspace);
 
-// Whether nothing tells the tree from its background: neither mattes nor strokes.
+// Whether nothing tells the tree from its background: neither mattes nor drawings of strokes, nor
+// strokes of both kinds painted on one photo.
 bool lacks_mattes(const Capture& capture);
 
 }  // namespace bosk

@@ -49,6 +49,9 @@ StepGuide calibrate_guide(const Workspace& workspace) {
 StepGuide stage_guide(const Workspace& workspace, const std::string& stage,
                       const std::string& action) {
   const std::string obstacle = obstacle_to(workspace, stage);
+  if (waits(workspace, stage)) {
+    return {Tone::busy, "waits", "", "", "it begins when the job at work is done"};
+  }
   if (is_running(workspace, stage)) return {Tone::busy, "at work", "", "", "watch, or stop it"};
   const StageState state = state_of(workspace, stage);
   if (state == StageState::current) return {Tone::good, "done", "", "", "go on to the next step"};

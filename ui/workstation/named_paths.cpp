@@ -48,7 +48,7 @@ void take_paths(Workspace& workspace, const std::vector<fs::path>& named) {
   if (!paths.cameras.empty() && !only_cameras) {
     told.push_back({Tone::neutral, "The cameras in " +
                                        printable(paths.cameras.filename().string()) +
-                                       " are imported in step Calibrate."});
+                                       " went to step Calibrate."});
   }
   for (const std::string& sentence : paths.left_out) told.push_back({Tone::note, sentence});
 }

@@ -228,6 +228,10 @@ bool is_running(const Workspace& workspace, const std::string& stage) {
          is_made_on_the_way_to(workspace.waiting_stage, stage);
 }
 
+bool waits(const Workspace& workspace, const std::string& stage) {
+  return is_running(workspace, stage) && !is_made_on_the_way_to(workspace.running_stage, stage);
+}
+
 std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
   if (!workspace.session) return "open a project first";
   if (!workspace.capture) return workspace.capture_obstacle;

@@ -144,6 +144,8 @@ bool is_shown(const Workspace& workspace, const std::string& stage);  // outdate
 bool is_made_from(const Workspace& workspace, const std::string& stage, const std::string& input);
 // Whether a job is at work, or waits, that makes the stage's result.
 bool is_running(const Workspace& workspace, const std::string& stage);
+// Whether it is asked for but not begun: it follows the job at work.
+bool waits(const Workspace& workspace, const std::string& stage);
 // Why the stages up to this one can't run now; empty when they can.
 std::string obstacle_to(const Workspace& workspace, const std::string& stage);
 

@@ -13,7 +13,7 @@
 namespace bosk {
 namespace {
 
-constexpr float kStepsEms = 13.0f, kJobsEms = 4.2f;  // widths and heights of the bars
+constexpr float kStepsEms = 13.0f, kJobsEms = 5.6f;  // widths and heights of the bars
 
 void draw_header(const Workspace& workspace) {
   const StepGuide guide = guide_of(workspace, workspace.step);

@@ -1,12 +1,12 @@
 #include "tests/ui/workstation/gl_screen.h"
 
 #include <GL/glcorearb.h>
-#include <backends/imgui_impl_opengl3.h>
 
 #include <cmath>
 
 #include "core/render/gl/headless_context.h"
 #include "core/render/gl/offscreen_target.h"
+#include "ui/gl_overlay.h"
 #include "ui/gl_pictures.h"
 
 namespace bosk {
@@ -27,16 +27,16 @@ HandScreen GlScreen::screen() {
   HandScreen screen;
   screen.device = gl_picture_device();
   screen.begin_frame = [this] {
-    if (!parts_->started) ImGui_ImplOpenGL3_Init("#version 450");
+    if (!parts_->started) start_gl_overlay();
     parts_->started = true;
-    ImGui_ImplOpenGL3_NewFrame();
+    begin_gl_overlay();
   };
   screen.end_frame = [this] {
     parts_->target.bind();
     parts_->target.clear({0.0f, 0.0f, 0.0f, 1.0f});
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    draw_gl_overlay();
   };
-  screen.close = [] { ImGui_ImplOpenGL3_Shutdown(); };
+  screen.close = [] { stop_gl_overlay(); };
   return screen;
 }
 
