@@ -7,6 +7,7 @@
 #include "core/base/system_error.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/calibration_report.h"
+#include "core/project/calibration_refine.h"
 #include "core/project/calibration_run.h"
 #include "core/project/lock.h"
 #include "core/project/project_json.h"
@@ -61,7 +62,7 @@ ExitStatus calibrate(const CalibrateArguments& arguments, Console& console) {
   Progress& progress = console.progress();
   const bool extras = !arguments.report.empty() || !arguments.save_lens.empty();
   progress.scope(0.0, extras ? 0.8 : 1.0);
-  const Calibration calibration = run_calibration(sources, cache, progress);
+  const Calibration calibration = calibrate_project(project, sources, cache, progress);
   progress.scope(0.8, 1.0);
   const CalibrationFinds finds =
       extras ? find_for_calibration(sources, cache, progress) : CalibrationFinds();

@@ -82,7 +82,11 @@ Options describe(CalibrateOptions& options) {
   Options all = marker_options(options);
   append(feature_options(options), all);
   append(lens_options(options), all);
-  append({number("crown_px", "px",
+  append({choice("refine",
+                 "silhouettes turns the cameras a little where the mattes then agree better; paint "
+                 "or give mattes first",
+                 options.refine, {"none", "silhouettes"}),
+          number("crown_px", "px",
                  "uncertainty at the crown, one sigma, above which a photo is called uncertain",
                  options.uncertain_crown_px, 0.05, 50)},
          all);

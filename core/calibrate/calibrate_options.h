@@ -24,6 +24,7 @@ struct CalibrateOptions {
   std::string board = "none";       // none, chessboard, charuco
   BoardShape shape;                 // but for its kind
   bool board_at_tree = false;       // it stands still among the photos of the tree
+  std::string refine = "none";      // none, silhouettes: by the mattes, once there are some
   double uncertain_crown_px = 0.6;  // one sigma above which a photo counts as uncertain
 };
 Options describe(CalibrateOptions& options);

@@ -12,6 +12,7 @@ namespace bosk {
 namespace {
 
 constexpr const char* kEntry = "calibrate";
+constexpr const char* kRefined = "calibrate-refined";
 constexpr int kEntriesKept = 8;        // clicks come and go by undo
 constexpr std::size_t kMostAlike = 3;  // sentences on features
 
@@ -60,6 +61,32 @@ std::vector<std::string> shortened(std::vector<std::string> sentences) {
   return sentences;
 }
 
+std::optional<Calibration> loaded(const char* entry_name, const ContentHash& key,
+                                  const Cache& cache) {
+  const auto entry = cache.load(entry_name, key);
+  if (!entry) return std::nullopt;
+  try {
+    return read_all<Calibration>(entry->result, read_calibration);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+void keep(const char* entry_name, const ContentHash& key, const Calibration& calibration,
+          double seconds, const Cache& cache) {
+  BinaryWriter writer;
+  write(writer, calibration);
+  cache.store(entry_name, key, writer.bytes(), seconds);
+  cache.forget_old(entry_name, key, kEntriesKept);
+}
+
+ContentHash refinement_key(const CalibrationSources& sources) {
+  const ContentHash solved = calibration_key(sources);
+  ContentHasher hasher;
+  hasher.text(kRefined).text(sources.options.refine).value(solved.high).value(solved.low);
+  return hasher.finish();
+}
+
 }  // namespace
 
 std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds, const HandSightings& told,
@@ -91,24 +118,26 @@ Calibration solve_calibration(const CalibrationFinds& finds, const CalibrationSo
   return calibration;
 }
 
+std::optional<Calibration> stored_refinement(const CalibrationSources& sources,
+                                             const Cache& cache) {
+  return loaded(kRefined, refinement_key(sources), cache);
+}
+
+void store_refinement(const CalibrationSources& sources, const Calibration& calibration,
+                      double seconds, const Cache& cache) {
+  keep(kRefined, refinement_key(sources), calibration, seconds, cache);
+}
+
 std::optional<Calibration> stored_calibration(const CalibrationSources& sources,
                                               const Cache& cache) {
-  const auto entry = cache.load(kEntry, calibration_key(sources));
-  if (!entry) return std::nullopt;
-  try {
-    return read_all<Calibration>(entry->result, read_calibration);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
+  const bool refined = sources.options.refine != "none";
+  auto refinement = refined ? stored_refinement(sources, cache) : std::nullopt;
+  return refinement ? refinement : loaded(kEntry, calibration_key(sources), cache);
 }
 
 void store_calibration(const CalibrationSources& sources, const Calibration& calibration,
                        double seconds, const Cache& cache) {
-  BinaryWriter writer;
-  write(writer, calibration);
-  const ContentHash key = calibration_key(sources);
-  cache.store(kEntry, key, writer.bytes(), seconds);
-  cache.forget_old(kEntry, key, kEntriesKept);
+  keep(kEntry, calibration_key(sources), calibration, seconds, cache);
 }
 
 Calibration run_calibration(const CalibrationSources& sources, const Cache& cache,

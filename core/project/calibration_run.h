@@ -17,12 +17,18 @@ namespace bosk {
 Calibration solve_calibration(const CalibrationFinds& finds, const CalibrationSources& sources,
                               Progress& progress);
 
-// What the cache holds of just these sources; none where they were not calibrated yet.
+// What the cache holds of just these sources, refined where they ask for it and it was done; none
+// where they were not calibrated yet.
 std::optional<Calibration> stored_calibration(const CalibrationSources& sources,
                                               const Cache& cache);
 // Keeps it there, also where it is refused, so that nobody waits for the same refusal twice.
 void store_calibration(const CalibrationSources& sources, const Calibration& calibration,
                        double seconds, const Cache& cache);
+
+// Cameras refined by the mattes, beside the calibration that they come from.
+std::optional<Calibration> stored_refinement(const CalibrationSources& sources, const Cache& cache);
+void store_refinement(const CalibrationSources& sources, const Calibration& calibration,
+                      double seconds, const Cache& cache);
 
 // The stored calibration or, where there is none, one that is found, solved and stored now. Errors
 // as of find_for_calibration and solve_calibration; then nothing is stored but the finds.

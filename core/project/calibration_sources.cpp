@@ -98,7 +98,9 @@ void take_inputs(CalibrationSources& sources, const CalibrationInputs& inputs) {
 ContentHash calibration_key(const CalibrationSources& sources) {
   ContentHasher hasher;
   hasher.text("calibrate").value(kVersion);
-  hash_options(hasher, sources.options);
+  CalibrateOptions options = sources.options;
+  options.refine = CalibrateOptions().refine;  // comes after
+  hash_options(hasher, options);
   hash_files(hasher, sources.photos);
   hash_files(hasher, sources.boards);
   if (sources.profile) {
