@@ -347,14 +347,20 @@ TEST_F(CalibratePhantom, PlacesEveryPhotoByBallsAlone) {
   }
 }
 
-TEST_F(CalibratePhantom, RunCalibratesFirst) {
+TEST_F(CalibratePhantom, RunCalibratesFirstWhereThatWasNotDoneYet) {
   run_bosk({"new", "p", capture("photos"), "--mattes", capture("mattes"), "--quiet"},
            folder.path());
-  std::vector<std::string> arguments = {"run", "p", "-o", "tree.bosk", "--quiet"};
+  std::vector<std::string> told = {"calibrate", "p", "--quiet"};
+  const auto measured = heights();
+  told.insert(told.end(), measured.begin(), measured.end());
+  run_bosk(told, folder.path());
+  // Another setting, so that what was found is not what is asked for
+  std::vector<std::string> arguments = {"run", "p", "-o", "tree.bosk", "--calibrate.crown_px=0.7"};
   const auto quick = quick_options();
   arguments.insert(arguments.end(), quick.begin(), quick.end());
   const ProgramEnd end = run_bosk(arguments, folder.path());
   EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("Cameras: "));
   EXPECT_TRUE(fs::exists(folder / "tree.bosk"));
 }
 
