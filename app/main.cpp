@@ -40,6 +40,7 @@ void add_commands(CLI::App& app, Request& request) {
   app.require_subcommand(0, 1);
   open_by_default(request);
   add_new_command(app, request);
+  add_calibrate_command(app, request);
   add_stage_commands(app, request);
   add_run_command(app, request);
   add_render_command(app, request);

@@ -103,7 +103,8 @@ void add_new_command(CLI::App& app, Request& request) {
       "photos, or folders of photos (those that the camera file lists unless given)");
   command
       .add_option("--cameras", arguments->cameras,
-                  "known cameras, which may come later: a COLMAP model's folder, a "
+                  "known cameras, if there are any (`bosk calibrate` finds them): a COLMAP model's "
+                  "folder, a "
                   "transforms.json, a .cameramodel or a "
                   "folder of them; they match photos by name without ending")
       ->type_name("FILE|DIR");
@@ -119,9 +120,10 @@ void add_new_command(CLI::App& app, Request& request) {
   command.add_flag("--replace", arguments->replace,
                    "describe an existing project anew; finished work and strokes drawn in the "
                    "workstation are kept where they still fit");
-  add_stage_options(command,
-                    {"photo", "matte", "opacity", "radiance", "texture", "compress", "pack"},
-                    arguments->choices);
+  add_stage_options(
+      command,
+      {"calibrate", "photo", "matte", "opacity", "radiance", "texture", "compress", "pack"},
+      arguments->choices);
   command.callback([arguments, &request] {
     request.run = [arguments](Console& console) { return make_new_project(*arguments, console); };
   });

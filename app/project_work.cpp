@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "core/project/cache.h"
+#include "core/project/calibration_run.h"
 
 namespace bosk {
 namespace {
+
+constexpr double kShareOfCameras = 0.15;  // of a run that finds them as well
 
 std::string recipe_text(Recipe recipe) {
   std::string text;
@@ -27,7 +30,11 @@ ProjectWork::ProjectWork(const std::string& folder, const StageChoices& choices,
     set_options(choices, project_.recipe);
     save_project(project_);
   }
-  capture_ = gather_capture(project_);
+  if (project_.cameras.empty()) {
+    find_cameras();
+  } else {
+    capture_ = gather_capture(project_);
+  }
   for (const std::string& remark : capture_.remarks) console_.warn(remark);
 }
 
@@ -45,7 +52,24 @@ Run ProjectWork::run(const Capture& capture, const std::vector<std::string>& wan
     return bosk::is_finished(project_, capture, stage);
   });
   if (!all_there) lock();
-  return run_stages(project_, capture, wanted, console_.progress(), share);
+  const auto behind = [&](double of_rest) { return done_ + (1.0 - done_) * of_rest; };
+  return run_stages(project_, capture, wanted, console_.progress(),
+                    {behind(share.from), behind(share.to)});
+}
+
+void ProjectWork::find_cameras() {
+  const CalibrationSources sources = gather_calibration(project_);
+  const Cache cache(project_.cache_folder());
+  auto calibration = stored_calibration(sources, cache);
+  if (!calibration) {
+    lock();
+    done_ = kShareOfCameras;
+    console_.progress().scope(0.0, done_, "Cameras");
+    calibration = run_calibration(sources, cache, console_.progress());
+    for (const std::string& sentence : calibration->sentences) console_.warn(sentence);
+  }
+  require_cameras(*calibration);
+  capture_ = gather_capture(project_, *calibration);
 }
 
 void ProjectWork::lock() {

@@ -30,11 +30,14 @@ class ProjectWork {
 
  private:
   void lock();
+  // Cameras for a project without a camera file, found now unless they were before.
+  void find_cameras();
 
   Project project_;
   Capture capture_;
   Console& console_;
   std::optional<ProjectLock> lock_;
+  double done_ = 0.0;  // share of the job that finding cameras took
 };
 
 }  // namespace bosk

@@ -43,7 +43,9 @@ void add(CLI::App& app, Request& request, const std::string& name, const std::st
       .add_option("-o,--output", arguments->output,
                   "the package to write (PROJECT/NAME-OF-PROJECT.bosk unless given)")
       ->type_name("TREE.bosk");
-  add_stage_options(command, stages_up_to("pack"), arguments->choices);
+  std::vector<std::string> groups = stages_up_to("pack");
+  groups.insert(groups.begin(), "calibrate");
+  add_stage_options(command, groups, arguments->choices);
   command.callback([arguments, &request] {
     request.run = [arguments](Console& console) { return run_all(*arguments, console); };
   });

@@ -36,10 +36,8 @@ class BinaryWriter {
 
  private:
   void append(const void* data, std::size_t size) {
-    if (size == 0) return;
-    const std::size_t before = bytes_.size();
-    bytes_.resize(before + size);
-    std::memcpy(bytes_.data() + before, data, size);
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
   }
   std::vector<std::byte> bytes_;
 };

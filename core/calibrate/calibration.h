@@ -21,7 +21,7 @@ struct PhotoFinding {
   PhotoFate fate = PhotoFate::placed;
   std::string reason;  // a clause, with the remedy; empty for a photo that is well placed
   int sightings = 0, outliers = 0;
-  double rms_px = 0.0;        // over both axes, outliers left out
+  double rms_px = 0.0;          // over both axes, outliers left out
   double crown_sigma_px = 0.0;  // the pose's uncertainty as seen at the crown, one sigma, in pixels
   glm::dmat3 centre_covariance_m2{0.0};
 };
@@ -54,7 +54,7 @@ struct Calibration {
   std::vector<std::string> sentences;
   Lens lens;
   bool lens_was_known = false;
-  std::vector<Camera> cameras;  // of the photos that were placed, by name
+  std::vector<Camera> cameras;       // of the photos that were placed, by name
   std::vector<PhotoFinding> photos;  // every photo, by name
   std::vector<SolvedPoint> points;
   std::vector<SightingResidual> residuals;

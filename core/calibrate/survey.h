@@ -12,18 +12,21 @@ namespace bosk {
 struct Tape {
   std::string from, to;
   double length_m = 0.0, sigma_m = 0.002;
+  bool operator==(const Tape&) const = default;
 };
 
 // Above the ground at the foot of the trunk: a stick's length up to its ball's centre.
 struct Height {
   std::string point;
   double height_m = 0.0, sigma_m = 0.005;
+  bool operator==(const Height&) const = default;
 };
 
 struct SurveyedPoint {
   std::string point;
   glm::dvec3 in_world{0.0};
   double sigma_m = 0.005;
+  bool operator==(const SurveyedPoint&) const = default;
 };
 
 // Points whose places relative to each other are known: a board, a printed marker.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/atomic_file.h"
@@ -13,21 +15,43 @@
 namespace bosk {
 namespace {
 
-// Encodes into memory, so that only whole, checked files reach the disk.
-std::vector<unsigned char> png_bytes(const void* pixels, int width, int height, int channels) {
+// Encodes into memory, so that only whole, checked files reach the disk. `format`: png, jpg.
+std::vector<unsigned char> encoded(const std::string& format, const OIIO::ImageSpec& spec,
+                                   const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput sink(bytes);
-  auto output = OIIO::ImageOutput::create("png", &sink);
-  if (!output) throw Error("PNG cannot be written: OpenImageIO has no PNG support: install it");
+  auto output = OIIO::ImageOutput::create(format, &sink);
+  if (!output) {
+    throw Error(format +
+                " files cannot be written: OpenImageIO has no support for them: install it");
+  }
   output->threads(1);
-  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // else OpenImageIO would divide colour by alpha
-  if (!output->open("image.png", spec) || !output->write_image(OIIO::TypeDesc::UINT8, pixels) ||
-      !output->close()) {
-    throw Error("PNG encoding failed: " + output->geterror(), ErrorKind::resource);
+  if (!output->open("image." + format, spec) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, pixels) || !output->close()) {
+    throw Error(format + " encoding failed: " + output->geterror(), ErrorKind::resource);
   }
   return bytes;
+}
+
+OIIO::ImageSpec srgb_spec(int width, int height, int channels) {
+  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  return spec;
+}
+
+std::vector<unsigned char> png_bytes(const void* pixels, int width, int height, int channels) {
+  OIIO::ImageSpec spec = srgb_spec(width, height, channels);
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // else OpenImageIO would divide colour by alpha
+  return encoded("png", spec, pixels);
+}
+
+void require_pixels(const Image<glm::u8vec3>& rgb) {
+  if (rgb.empty()) throw Error("an image without pixels cannot be written");
+}
+
+std::vector<std::byte> as_bytes(const std::vector<unsigned char>& bytes) {
+  const auto view = std::as_bytes(std::span(bytes));
+  return {view.begin(), view.end()};
 }
 
 void write_png(const std::filesystem::path& path, const void* pixels, int width, int height,
@@ -51,6 +75,19 @@ void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& rgb)
 
 void write_png(const std::filesystem::path& path, const Image<std::uint8_t>& grey) {
   write_png(path, grey.data(), grey.width(), grey.height(), 1);
+}
+
+std::vector<std::byte> jpeg_bytes(const Image<glm::u8vec3>& rgb, int quality) {
+  require_pixels(rgb);
+  OIIO::ImageSpec spec = srgb_spec(rgb.width(), rgb.height(), 3);
+  spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+  spec.attribute("jpeg:subsampling", "4:4:4");
+  return as_bytes(encoded("jpg", spec, rgb.data()));
+}
+
+std::vector<std::byte> png_bytes(const Image<glm::u8vec3>& rgb) {
+  require_pixels(rgb);
+  return as_bytes(png_bytes(rgb.data(), rgb.width(), rgb.height(), 3));
 }
 
 std::uint8_t byte_from_unit(float value) {

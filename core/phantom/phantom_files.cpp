@@ -1,6 +1,3 @@
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -20,20 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 void write_jpeg(const std::filesystem::path& path, const Image<glm::u8vec3>& rgb) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput sink(bytes);
-  auto output = OIIO::ImageOutput::create("jpg", &sink);
-  if (!output) throw Error("JPEG cannot be written: OpenImageIO has no JPEG support: install it");
-  output->threads(1);
-  OIIO::ImageSpec spec(rgb.width(), rgb.height(), 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("Compression", "jpeg:95");
-  spec.attribute("jpeg:subsampling", "4:4:4");
-  if (!output->open("photo.jpg", spec) || !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) ||
-      !output->close()) {
-    throw Error("JPEG encoding failed: " + output->geterror(), ErrorKind::resource);
-  }
-  write_file_atomically(path, std::as_bytes(std::span(bytes)));
+  write_file_atomically(path, jpeg_bytes(rgb, 95));
 }
 
 void write_camera_list(const std::filesystem::path& file, const std::vector<PhantomView>& views,

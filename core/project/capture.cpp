@@ -1,58 +1,31 @@
 #include "core/project/capture.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
 
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/system_error.h"
 #include "core/photo/camera_files.h"
+#include "core/project/calibration_run.h"
 
 namespace bosk {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint64_t kMaxSourceBytes = std::uint64_t(4) << 30;
-
-using FilesByName = std::map<std::string, fs::path>;
-
-void add_file(FilesByName& files, const fs::path& path) {
-  const std::string name = path.stem().string();
-  const auto [place, is_new] = files.emplace(name, path);
-  if (!is_new) {
-    throw Error(printable(place->second.string()) + " and " + printable(path.string()) +
-                ": files are matched by name without ending, and these have the same; rename one");
+// The cameras of a project without a camera file, and why other photos have none.
+Calibration project_calibration(const Project& project) {
+  const std::string folder = printable(project.folder.string());
+  const auto stored =
+      stored_calibration(gather_calibration(project), Cache(project.cache_folder()));
+  if (!stored) {
+    throw Error(folder + ": the project has no cameras yet; " + cameras_remedy(project.folder));
   }
-}
-
-// The folder's regular files; hidden ones aside.
-FilesByName files_in(const fs::path& folder) {
-  std::error_code failure;
-  FilesByName files;
-  for (const auto& entry : fs::directory_iterator(folder, failure)) {
-    const bool hidden = entry.path().filename().string().rfind('.', 0) == 0;
-    if (!hidden && entry.is_regular_file()) add_file(files, entry.path());
-  }
-  if (failure) throw system_error(folder, "read", failure.value());
-  return files;
-}
-
-void hash_content(std::vector<SourceFile>& files) {
-  tbb::parallel_for(std::size_t(0), files.size(), [&](std::size_t i) {
-    files[i].content = content_hash(read_file(files[i].path, kMaxSourceBytes));
-  });
-}
-
-std::vector<Camera> project_cameras(const Project& project) {
-  if (project.cameras.empty()) {
-    throw Error(printable(project.folder.string()) + ": the project has no cameras yet; " +
-                cameras_remedy(project.folder));
-  }
-  return read_cameras(project.absolute(project.cameras));
+  if (stored->verdict != Verdict::refused) return *stored;
+  throw Error(folder + ": no cameras could be found for its photos" +
+              (stored->sentences.empty() ? "" : ": " + stored->sentences.front()) +
+              "; `bosk calibrate " + folder + "` tells more");
 }
 
 FilesByName files_of_folder(const Project& project, const fs::path& folder) {
@@ -62,11 +35,12 @@ FilesByName files_of_folder(const Project& project, const fs::path& folder) {
 struct Candidates {
   FilesByName photos, mattes, scribbles;
   std::map<std::string, Camera> cameras;
+  std::map<std::string, std::string> refusals;  // why calibration gave a photo no camera
 };
 
 Candidates find_candidates(const Project& project, const std::vector<Camera>& cameras) {
   Candidates found;
-  for (const fs::path& photo : project.photos) add_file(found.photos, project.absolute(photo));
+  found.photos = photo_files(project);
   for (const Camera& camera : cameras) found.cameras[camera.name] = camera;
   found.mattes = files_of_folder(project, project.mattes);
   found.scribbles = files_of_folder(project, project.scribbles);
@@ -76,6 +50,8 @@ Candidates find_candidates(const Project& project, const std::vector<Camera>& ca
 // Why the photo can't be used; none when it can.
 std::optional<std::string> obstacle(const Candidates& found, bool needs_matte,
                                     const std::string& name) {
+  const auto refusal = found.refusals.find(name);
+  if (refusal != found.refusals.end()) return refusal->second;
   if (found.cameras.count(name) == 0) return "the camera file has no camera of that name";
   if (needs_matte && found.mattes.count(name) == 0) return "there is no matte of that name";
   return std::nullopt;
@@ -100,14 +76,7 @@ void remark_on_strokes(const Project& project, const Candidates& found, Capture&
   }
 }
 
-}  // namespace
-
-Capture gather_capture(const Project& project) {
-  return gather_capture(project, project_cameras(project));
-}
-
-Capture gather_capture(const Project& project, const std::vector<Camera>& cameras) {
-  const Candidates found = find_candidates(project, cameras);
+Capture gathered(const Project& project, const Candidates& found) {
   const bool needs_matte = !project.mattes.empty();
   Capture capture;
   for (const auto& [name, path] : found.photos) {
@@ -130,6 +99,27 @@ Capture gather_capture(const Project& project, const std::vector<Camera>& camera
   return capture;
 }
 
+}  // namespace
+
+Capture gather_capture(const Project& project) {
+  if (!project.cameras.empty()) {
+    return gather_capture(project, read_cameras(project.absolute(project.cameras)));
+  }
+  return gather_capture(project, project_calibration(project));
+}
+
+Capture gather_capture(const Project& project, const std::vector<Camera>& cameras) {
+  return gathered(project, find_candidates(project, cameras));
+}
+
+Capture gather_capture(const Project& project, const Calibration& calibration) {
+  Candidates found = find_candidates(project, calibration.cameras);
+  for (const PhotoFinding& photo : calibration.photos) {
+    if (photo.fate == PhotoFate::refused) found.refusals[photo.photo] = photo.reason;
+  }
+  return gathered(project, found);
+}
+
 void take_strokes(Capture& capture, const Strokes& strokes) {
   capture.strokes.clear();
   for (const SourceFile& photo : capture.photos) {
@@ -140,15 +130,13 @@ void take_strokes(Capture& capture, const Strokes& strokes) {
 
 std::string cameras_remedy(const fs::path& project_folder) {
   const std::string folder = printable(project_folder.string());
-  return "give some with `bosk new --replace " + folder +
-         " --cameras FILE`, or in the Calibrate step of `bosk open " + folder + "`";
+  return "find them with `bosk calibrate " + folder + "`, or give some with `bosk new --replace " +
+         folder + " --cameras FILE`, or in the Calibrate step of `bosk open " + folder + "`";
 }
 
 std::vector<std::string> photo_names(const Project& project) {
-  FilesByName files;
-  for (const fs::path& photo : project.photos) add_file(files, project.absolute(photo));
   std::vector<std::string> names;
-  for (const auto& [name, path] : files) names.push_back(name);
+  for (const auto& [name, path] : photo_files(project)) names.push_back(name);
   return names;
 }
 

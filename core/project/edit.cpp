@@ -1,6 +1,7 @@
 #include "core/project/edit.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/system_error.h"
@@ -19,13 +20,23 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 template <class ProjectType>
 auto& files_of(ProjectType& project, FileKind which) {
-  if (which == FileKind::mattes) return project.mattes;
-  return which == FileKind::cameras ? project.cameras : project.scribbles;
+  switch (which) {
+    case FileKind::cameras:
+      return project.cameras;
+    case FileKind::mattes:
+      return project.mattes;
+    case FileKind::boards:
+      return project.calibration.boards;
+    case FileKind::lens:
+      return project.calibration.lens;
+    default:
+      return project.scribbles;
+  }
 }
 
 std::string files_name(FileKind which) {
-  if (which == FileKind::mattes) return "mattes";
-  return which == FileKind::cameras ? "cameras" : "drawn strokes";
+  constexpr const char* kNames[] = {"cameras", "mattes", "drawn strokes", "board photos", "lens"};
+  return kNames[std::size_t(which)];
 }
 
 void remove_stroke(const AddStroke& edit, Strokes& strokes) {
@@ -43,6 +54,32 @@ void set_strokes(const std::string& photo, const std::vector<Stroke>& drawn, Str
   } else {
     strokes[photo] = drawn;
   }
+}
+
+void set_sighting(const SetSighting& edit, const std::optional<HandSighting>& value,
+                  HandSightings& sightings) {
+  if (value) {
+    check(edit.point, *value);
+    sightings[edit.photo][edit.point] = value->there ? *value : HandSighting{false, {}};
+    return;
+  }
+  const auto photo = sightings.find(edit.photo);
+  if (photo == sightings.end()) return;
+  photo->second.erase(edit.point);
+  if (photo->second.empty()) sightings.erase(photo);
+}
+
+// All or, when one doesn't fit, none.
+void set_sightings(const SetSightings& edit, std::optional<HandSighting> SetSighting::*value,
+                   HandSightings& sightings) {
+  HandSightings trial = sightings;
+  for (const SetSighting& set : edit.sightings) set_sighting(set, set.*value, trial);
+  sightings = std::move(trial);
+}
+
+void set_measurements(const Measurements& wanted, Project& project) {
+  check(wanted);
+  project.calibration.measurements = wanted;
 }
 
 std::string title_of(const SetOption& edit) {
@@ -72,9 +109,49 @@ std::string title_of(const AddStroke& edit) {
 
 std::string title_of(const ClearStrokes& edit) { return "clearing the strokes on " + edit.photo; }
 
+std::string title_of(const SetSighting& edit) {
+  const std::string where = edit.point + " on " + edit.photo;
+  if (!edit.after) return "forgetting " + where;
+  if (!edit.after->there) return "removing " + where;
+  return (edit.before && edit.before->there ? "moving " : "") + where;
+}
+
+std::string title_of(const SetSightings& edit) { return edit.what; }
+
+// What one list gained or lost by one item.
+std::string title_of(const SetMeasurements& edit) {
+  const auto counted = [](const std::string& what, std::size_t before, std::size_t after) {
+    if (before == after) return std::string();
+    return (after > before ? "adding " : "removing ") + what;
+  };
+  for (const std::string& text :
+       {counted("a tape", edit.before.tapes.size(), edit.after.tapes.size()),
+        counted("a height", edit.before.heights.size(), edit.after.heights.size()),
+        counted("a surveyed point", edit.before.points.size(), edit.after.points.size())}) {
+    if (!text.empty()) return text;
+  }
+  return "measurements";
+}
+
 void require_text(const std::string& text) {
   if (is_storable(text)) return;
   throw Error(printable(text) + ": the name is not valid UTF-8; rename the file");
+}
+
+void check_sighting(const SetSighting& edit) {
+  require_text(edit.photo);
+  require_text(edit.point);
+  if (edit.photo.empty()) throw Error("a sighting in no photo; name the photo");
+  check(edit.point, edit.after.value_or(HandSighting()));
+}
+
+// So that undoing in any order gives the same.
+void require_different(const std::vector<SetSighting>& sightings) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const SetSighting& edit : sightings) {
+    if (seen.emplace(edit.photo, edit.point).second) continue;
+    throw Error(printable(edit.point + " on " + edit.photo) + ": is told twice; keep one of them");
+  }
 }
 
 // All or, when one doesn't fit, none.
@@ -98,6 +175,13 @@ void apply(const Edit& edit, Project& project) {
           },
           [&](const ClearStrokes& clear) { project.strokes.erase(clear.photo); },
           [&](const SetOptions& set) { set_options(set, &SetOption::after, project.recipe); },
+          [&](const SetSighting& set) {
+            set_sighting(set, set.after, project.calibration.sightings);
+          },
+          [&](const SetSightings& set) {
+            set_sightings(set, &SetSighting::after, project.calibration.sightings);
+          },
+          [&](const SetMeasurements& set) { set_measurements(set.after, project); },
       },
       edit);
 }
@@ -113,6 +197,13 @@ void revert(const Edit& edit, Project& project) {
             set_strokes(clear.photo, clear.before, project.strokes);
           },
           [&](const SetOptions& set) { set_options(set, &SetOption::before, project.recipe); },
+          [&](const SetSighting& set) {
+            set_sighting(set, set.before, project.calibration.sightings);
+          },
+          [&](const SetSightings& set) {
+            set_sightings(set, &SetSighting::before, project.calibration.sightings);
+          },
+          [&](const SetMeasurements& set) { set_measurements(set.before, project); },
       },
       edit);
 }
@@ -144,6 +235,13 @@ Edit checked_edit(Edit edit, const Project& project) {
                    Recipe trial = project.recipe;
                    set_options(set, &SetOption::after, trial);
                  },
+                 [](const SetSighting& set) { check_sighting(set); },
+                 [](const SetSightings& set) {
+                   require_text(set.what);
+                   for (const SetSighting& one : set.sightings) check_sighting(one);
+                   require_different(set.sightings);
+                 },
+                 [](const SetMeasurements& set) { check(set.after); },
              },
              edit);
   return edit;
@@ -181,6 +279,21 @@ SetFiles files_edit(const Project& project, FileKind which, const fs::path& afte
 ClearStrokes clear_edit(const Project& project, const std::string& photo) {
   const auto drawn = project.strokes.find(photo);
   return {photo, drawn == project.strokes.end() ? std::vector<Stroke>() : drawn->second};
+}
+
+SetSighting sighting_edit(const Project& project, const std::string& photo,
+                          const std::string& point, const std::optional<HandSighting>& after) {
+  SetSighting edit{photo, point, std::nullopt, after};
+  const HandSightings& all = project.calibration.sightings;
+  const auto points = all.find(photo);
+  if (points == all.end()) return edit;
+  const auto said = points->second.find(point);
+  if (said != points->second.end()) edit.before = said->second;
+  return edit;
+}
+
+SetMeasurements measurements_edit(const Project& project, Measurements after) {
+  return {project.calibration.measurements, std::move(after)};
 }
 
 }  // namespace bosk

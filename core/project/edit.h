@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,7 +29,7 @@ struct SetPhotos {
   std::vector<std::filesystem::path> before, after;
   bool operator==(const SetPhotos&) const = default;
 };
-enum class FileKind : std::uint8_t { cameras, mattes, scribbles };
+enum class FileKind : std::uint8_t { cameras, mattes, scribbles, boards, lens };
 struct SetFiles {
   FileKind which = FileKind::cameras;
   std::filesystem::path before, after;
@@ -44,12 +45,30 @@ struct ClearStrokes {
   std::vector<Stroke> before;  // all that the photo has
   bool operator==(const ClearStrokes&) const = default;
 };
-using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStrokes, SetOptions>;
+// Of calibration: where a point is seen in a photo, that it isn't, or (none) that nothing is said.
+struct SetSighting {
+  std::string photo, point;
+  std::optional<HandSighting> before, after;
+  bool operator==(const SetSighting&) const = default;
+};
+// Several at once: clicks from a file, a ball renamed in all photos.
+struct SetSightings {
+  std::string what;  // for the title: "clicks.json"
+  std::vector<SetSighting> sightings;
+  bool operator==(const SetSightings&) const = default;
+};
+struct SetMeasurements {
+  Measurements before, after;
+  bool operator==(const SetMeasurements&) const = default;
+};
+using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStrokes, SetOptions,
+                          SetSighting, SetSightings, SetMeasurements>;
 
 // `apply` sets what the edit says, whatever was there; `revert` puts back what was before it, also
 // when something else changed in between: an option its `before`, of a photo's strokes the last
 // that equals the one added. Both throw Error, and change nothing, where an option is unknown or
-// its value doesn't fit, or a stroke is none (rounded_stroke).
+// its value doesn't fit, a stroke is none (rounded_stroke), or a sighting or measurement is none
+// (calibration_inputs.h).
 void apply(const Edit& edit, Project& project);
 void revert(const Edit& edit, Project& project);
 
@@ -66,5 +85,8 @@ SetOptions recipe_edit(const Project& project, const std::string& what, const Re
 SetPhotos photos_edit(const Project& project, std::vector<std::filesystem::path> after);
 SetFiles files_edit(const Project& project, FileKind which, const std::filesystem::path& after);
 ClearStrokes clear_edit(const Project& project, const std::string& photo);
+SetSighting sighting_edit(const Project& project, const std::string& photo,
+                          const std::string& point, const std::optional<HandSighting>& after);
+SetMeasurements measurements_edit(const Project& project, Measurements after);
 
 }  // namespace bosk

@@ -5,6 +5,7 @@
 
 #include "core/base/binary.h"
 #include "core/base/error.h"
+#include "core/project/binary_items.h"
 
 namespace bosk {
 namespace fs = std::filesystem;
@@ -30,6 +31,33 @@ void write(BinaryWriter& writer, const SetOption& edit) {
   writer.text(edit.name);
   writer.text(edit.before);
   writer.text(edit.after);
+}
+
+void write(BinaryWriter& writer, const std::optional<HandSighting>& place) {
+  writer.value(std::uint8_t(!place ? 0 : place->there ? 2 : 1));
+  if (place && place->there) writer.value(place->pixel);
+}
+void write(BinaryWriter& writer, const SetSighting& edit) {
+  writer.text(edit.photo);
+  writer.text(edit.point);
+  write(writer, edit.before);
+  write(writer, edit.after);
+}
+void write(BinaryWriter& writer, const Tape& tape) {
+  writer.text(tape.from);
+  writer.text(tape.to);
+  writer.value(tape.length_m);
+  writer.value(tape.sigma_m);
+}
+void write(BinaryWriter& writer, const Height& height) {
+  writer.text(height.point);
+  writer.value(height.height_m);
+  writer.value(height.sigma_m);
+}
+void write(BinaryWriter& writer, const SurveyedPoint& point) {
+  writer.text(point.point);
+  writer.value(point.in_world);
+  writer.value(point.sigma_m);
 }
 
 template <class Item>
@@ -60,22 +88,27 @@ void write(BinaryWriter& writer, const SetOptions& edit) {
   write_list(writer, edit.options);
 }
 
+void write(BinaryWriter& writer, const SetSightings& edit) {
+  writer.text(edit.what);
+  write_list(writer, edit.sightings);
+}
+
+void write(BinaryWriter& writer, const Measurements& measurements) {
+  write_list(writer, measurements.tapes);
+  write_list(writer, measurements.heights);
+  write_list(writer, measurements.points);
+}
+void write(BinaryWriter& writer, const SetMeasurements& edit) {
+  write(writer, edit.before);
+  write(writer, edit.after);
+}
+
 // One of an enumeration's first `count` values.
 template <class Kind>
 Kind read_kind(BinaryReader& reader, std::uint8_t count) {
   const auto value = reader.value<std::uint8_t>();
   if (value >= count) throw Error("there is no such kind");
   return Kind(value);
-}
-
-// The count is believed only as far as the bytes go: each item takes some.
-template <class ReadItem>
-auto read_list(BinaryReader& reader, ReadItem read_item) {
-  std::vector<decltype(read_item(reader))> items;
-  for (auto left = reader.value<std::uint64_t>(); left > 0; --left) {
-    items.push_back(read_item(reader));
-  }
-  return items;
 }
 
 fs::path read_path(BinaryReader& reader) { return reader.text(); }
@@ -109,7 +142,7 @@ SetPhotos read_photo_places(BinaryReader& reader) {
 
 SetFiles read_files(BinaryReader& reader) {
   SetFiles edit;
-  edit.which = read_kind<FileKind>(reader, 3);
+  edit.which = read_kind<FileKind>(reader, 5);
   edit.before = read_path(reader);
   edit.after = read_path(reader);
   return edit;
@@ -136,6 +169,79 @@ SetOptions read_options(BinaryReader& reader) {
   return edit;
 }
 
+std::optional<HandSighting> read_place(BinaryReader& reader) {
+  switch (reader.value<std::uint8_t>()) {
+    case 0:
+      return std::nullopt;
+    case 1:
+      return HandSighting{false, {}};
+    case 2:
+      return HandSighting{true, reader.value<glm::dvec2>()};
+    default:
+      throw Error("there is no such kind");
+  }
+}
+
+SetSighting read_sighting(BinaryReader& reader) {
+  SetSighting edit;
+  edit.photo = reader.text();
+  edit.point = reader.text();
+  edit.before = read_place(reader);
+  edit.after = read_place(reader);
+  for (const auto& place : {edit.before, edit.after}) {
+    if (place) check(edit.point, *place);
+  }
+  return edit;
+}
+
+SetSightings read_sightings(BinaryReader& reader) {
+  SetSightings edit;
+  edit.what = reader.text();
+  edit.sightings = read_list(reader, read_sighting);
+  return edit;
+}
+
+Tape read_tape(BinaryReader& reader) {
+  Tape tape;
+  tape.from = reader.text();
+  tape.to = reader.text();
+  tape.length_m = reader.value<double>();
+  tape.sigma_m = reader.value<double>();
+  return tape;
+}
+
+Height read_height(BinaryReader& reader) {
+  Height height;
+  height.point = reader.text();
+  height.height_m = reader.value<double>();
+  height.sigma_m = reader.value<double>();
+  return height;
+}
+
+SurveyedPoint read_surveyed(BinaryReader& reader) {
+  SurveyedPoint point;
+  point.point = reader.text();
+  point.in_world = reader.value<glm::dvec3>();
+  point.sigma_m = reader.value<double>();
+  return point;
+}
+
+Measurements read_measurements(BinaryReader& reader) {
+  Measurements measurements;
+  measurements.tapes = read_list(reader, read_tape);
+  measurements.heights = read_list(reader, read_height);
+  measurements.points = read_list(reader, read_surveyed);
+  check(measurements);
+  return measurements;
+}
+
+SetMeasurements read_measuring(BinaryReader& reader) {
+  SetMeasurements edit;
+  edit.before = read_measurements(reader);
+  edit.after = read_measurements(reader);
+  return edit;
+}
+
 Edit read_edit(BinaryReader& reader) {
   switch (reader.value<std::uint8_t>()) {
     case 0:
@@ -150,6 +256,12 @@ Edit read_edit(BinaryReader& reader) {
       return read_cleared(reader);
     case 5:
       return read_options(reader);
+    case 6:
+      return read_sighting(reader);
+    case 7:
+      return read_sightings(reader);
+    case 8:
+      return read_measuring(reader);
     default:
       throw Error("there is no such edit");
   }

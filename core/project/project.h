@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/matte/strokes.h"
+#include "core/project/calibration_inputs.h"
 #include "core/project/recipe.h"
 
 namespace bosk {
@@ -23,10 +24,11 @@ struct JournalPlace {
 struct Project {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> photos;
-  std::filesystem::path cameras;    // file or folder; none: not known yet, and no stage can run
+  std::filesystem::path cameras;    // file or folder; none: calibration finds them
   std::filesystem::path mattes;     // folder
   std::filesystem::path scribbles;  // folder
   Strokes strokes;                  // drawn in the workstation, over the files in `scribbles`
+  CalibrationInputs calibration;    // used where there is no camera file
   Recipe recipe;
   JournalPlace journal;
 

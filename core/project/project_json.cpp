@@ -6,6 +6,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/system_error.h"
+#include "core/project/calibration_json.h"
 #include "core/project/stroke_text.h"
 
 namespace bosk {
@@ -14,8 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Raised when an older Bosk would misread the file: schema 1 knows neither strokes nor a journal
-constexpr int kSchema = 2;
+// Raised when an older Bosk would misread the file: 1 knows neither strokes nor a journal, 2 no
+// calibration
+constexpr int kSchema = 3;
 constexpr int kMaxDepth = 16;
 
 struct JsonValue {
@@ -62,6 +64,12 @@ void add_journal(const JournalPlace& journal, Json& json) {
   json["journal"]["end"] = journal.end;
 }
 
+// The oldest that reads the file as it is meant.
+int schema_of(const Json& json) {
+  if (json.contains("calibration")) return 3;
+  return json.contains("strokes") || json.contains("journal") ? 2 : 1;
+}
+
 Json project_json(const Project& project) {
   Json json;
   json["bosk_project"] = 1;
@@ -73,8 +81,9 @@ Json project_json(const Project& project) {
   json["scribbles"] = project.scribbles.generic_string();
   json["options"] = options_json(project.recipe);
   add_strokes(project.strokes, json);
+  if (!project.calibration.empty()) json["calibration"] = calibration_json(project.calibration);
   add_journal(project.journal, json);
-  if (json.contains("strokes") || json.contains("journal")) json["bosk_project"] = kSchema;
+  json["bosk_project"] = schema_of(json);
   return json;
 }
 
@@ -149,6 +158,9 @@ void read_fields(const Json& json, Project& project) {
   project.scribbles = json.at("scribbles").get<std::string>();
   read_options(json.at("options"), project.recipe);
   if (json.contains("strokes")) read_strokes(json.at("strokes"), project.strokes);
+  if (json.contains("calibration")) {
+    project.calibration = calibration_of(json.at("calibration"));
+  }
   if (json.contains("journal")) project.journal = journal_of(json.at("journal"));
 }
 

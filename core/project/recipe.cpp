@@ -18,7 +18,7 @@ Option named_option(Recipe& recipe, const std::string& name) {
 }  // namespace
 
 std::vector<OptionGroup> option_groups(Recipe& recipe) {
-  std::vector<OptionGroup> groups;
+  std::vector<OptionGroup> groups = {{"calibrate", describe(recipe.calibrate)}};
   for (const Stage& stage : stages()) {
     if (stage.options) groups.push_back({stage.name, stage.options(recipe)});
   }

@@ -5,6 +5,7 @@
 
 #include "core/base/options.h"
 #include "core/billboard/billboard.h"
+#include "core/calibrate/calibrate_options.h"
 #include "core/compress/compress.h"
 #include "core/matte/matte.h"
 #include "core/opacity/opacity.h"
@@ -16,6 +17,7 @@ namespace bosk {
 
 // Every knob of every stage.
 struct Recipe {
+  CalibrateOptions calibrate;
   PhotoOptions photo;
   MatteOptions matte;
   OpacityOptions opacity;
@@ -25,12 +27,14 @@ struct Recipe {
   PackOptions pack;
 };
 
-// The options of one stage; on the command line each is --STAGE.NAME=VALUE.
+// The options of one stage, or of calibration, which comes before the first; on the command line
+// each is --STAGE.NAME=VALUE.
 struct OptionGroup {
   std::string stage;
   Options options;
 };
-// In the order of the stages; stages without options are left out. The groups point into `recipe`.
+// Calibration, then the stages in order; stages without options are left out. The groups point into
+// `recipe`.
 std::vector<OptionGroup> option_groups(Recipe& recipe);
 
 // `name` is "stage.option". Throw Error when there is no such option or the value doesn't fit it.

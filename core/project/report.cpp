@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/number_text.h"
 #include "core/image/image_io.h"
+#include "core/project/html.h"
 
 namespace bosk {
 namespace {
@@ -13,57 +14,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kSheetCellPx = 360;
-
-constexpr const char* kStyle =
-    "body{font:16px/1.5 system-ui,sans-serif;margin:2em auto;max-width:70em;padding:0 1em;"
-    "color:#222;background:#fff}table{border-collapse:collapse;margin:1em 0}"
-    "td,th{border:1px solid #bbb;padding:.2em .7em;text-align:right}td:first-child,"
-    "th:first-child{text-align:left}img{max-width:100%}";
-
-std::string html_text(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-std::string base64(const std::vector<std::byte>& bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto at = [&](std::size_t i) { return i < bytes.size() ? unsigned(bytes[i]) : 0u; };
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const unsigned group = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
-    for (int digit = 0; digit < 4; ++digit) {
-      const bool used = i + std::size_t(digit) <= bytes.size();
-      text += used ? kDigits[group >> (18 - 6 * digit) & 63] : '=';
-    }
-  }
-  return text;
-}
-
-std::string row(const std::vector<std::string>& cells, const std::string& tag) {
-  const std::string begin = "<" + tag + ">", end = "</" + tag + ">";
-  std::string text = "<tr>";
-  for (const std::string& cell : cells) text.append(begin).append(html_text(cell)).append(end);
-  return text + "</tr>\n";
-}
-
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-  std::string text = "<table>\n";
-  for (std::size_t i = 0; i < rows.size(); ++i) text += row(rows[i], i == 0 ? "th" : "td");
-  return text + "</table>\n";
-}
 
 std::vector<std::string> score_row(const std::string& name, const ViewScore& score) {
   std::vector<std::string> cells = {name};
@@ -78,7 +28,7 @@ std::string score_table(const ScoreTable& scores) {
   for (const NamedScore& view : scores.views) rows.push_back(score_row(view.name, view.score));
   rows.push_back(score_row("mean", scores.mean));
   rows.push_back(score_row("worst", scores.worst));
-  return table(rows);
+  return html_table(rows);
 }
 
 std::string level_table(const TreeModel& tree) {
@@ -91,13 +41,13 @@ std::string level_table(const TreeModel& tree) {
                     std::to_string(level.colour_codes.count),
                     std::to_string(level.alpha_codes.count)});
   }
-  return table(rows);
+  return html_table(rows);
 }
 
 std::string time_table(const std::vector<StageTime>& times) {
   std::vector<std::vector<std::string>> rows = {{"stage", "seconds"}};
   for (const StageTime& time : times) rows.push_back({time.stage, number_text(time.seconds, 1)});
-  return table(rows);
+  return html_table(rows);
 }
 
 std::string option_table(const Project& project) {
@@ -109,7 +59,7 @@ std::string option_table(const Project& project) {
       rows.push_back({group.stage + "." + option.name, value_text(option) + unit});
     }
   }
-  return table(rows);
+  return html_table(rows);
 }
 
 std::string html_page(const Evaluation& evaluation, const Project& project,
@@ -117,7 +67,7 @@ std::string html_page(const Evaluation& evaluation, const Project& project,
   const ViewScore& mean = evaluation.scores.mean;
   const std::string name = html_text(project.name());
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + name +
-         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + name + "</h1>\n<p>" +
+         "</title><style>" + kHtmlStyle + "</style></head><body>\n<h1>" + name + "</h1>\n<p>" +
          html_text(evaluation.title) + ": on average " + number_text(mean.psnr, 2) +
          " dB and SSIM " + number_text(mean.ssim, 3) + " over white. The package takes " +
          size_text(evaluation.package_bytes) + ".</p>\n<h2>Scores</h2>\n" +

@@ -51,13 +51,6 @@ std::shared_ptr<const T> shared(T result) {
 void write_bytes(BinaryWriter& writer, const Bytes& bytes) { writer.array(bytes); }
 Bytes read_bytes(BinaryReader& reader) { return reader.array<std::byte>(); }
 
-void hash_files(ContentHasher& hasher, const std::vector<SourceFile>& files) {
-  hasher.value(std::uint64_t(files.size()));
-  for (const SourceFile& file : files) {
-    hasher.text(file.name).value(file.content.high).value(file.content.low);
-  }
-}
-
 void hash_strokes(ContentHasher& hasher, const std::vector<Stroke>& strokes) {
   hasher.value(std::uint64_t(strokes.size()));
   for (const Stroke& stroke : strokes) {

@@ -7,6 +7,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/base/error.h"
+#include "core/project/binary_items.h"
 
 namespace bosk {
 namespace {
@@ -50,20 +51,6 @@ Image<Pixel> read_image(BinaryReader& reader) {
   tbb::parallel_for(std::size_t(0), image.size(),
                     [&](std::size_t i) { image.data()[i] = Pixel(shorts[i]) / kLargest; });
   return image;
-}
-
-void write_camera(BinaryWriter& writer, const Camera& camera) {
-  writer.text(camera.name);
-  writer.value(camera.lens);
-  writer.value(camera.camera_from_world);
-}
-
-Camera read_camera(BinaryReader& reader) {
-  Camera camera;
-  camera.name = reader.text();
-  camera.lens = reader.value<Lens>();
-  camera.camera_from_world = reader.value<RigidTransform>();
-  return camera;
 }
 
 }  // namespace

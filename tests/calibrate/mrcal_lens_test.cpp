@@ -31,8 +31,8 @@ TEST(MrcalLens, ProjectsAsOursDoes) {
       mrcal_point3_t in_camera{};
       for (int axis = 0; axis < 3; ++axis) in_camera.xyz[axis] = point[axis];
       mrcal_point2_t pixel{};
-      ASSERT_TRUE(mrcal_project(&pixel, nullptr, nullptr, &in_camera, 1, &model,
-                                intrinsics.data()));
+      ASSERT_TRUE(
+          mrcal_project(&pixel, nullptr, nullptr, &in_camera, 1, &model, intrinsics.data()));
       const auto ours = pixel_from_camera(lens, point);
       ASSERT_TRUE(ours);
       EXPECT_NEAR(pixel.x, ours->x, 1e-9);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/project/edit_bytes.h"
 #include "tests/base/scratch_folder.h"
@@ -12,6 +14,11 @@ namespace {
 
 const Stroke kStroke{StrokeKind::foreground, 8.0, {{1.0, 2.0}, {3.5, 4.0}}};
 const Stroke kOther{StrokeKind::background, 8.0, {{1.0, 2.0}}};
+
+const HandSighting kHere{true, {12.25, -0.5}}, kNotThere{false, {}};
+const SetSighting kMoved{"oak", "red", std::nullopt, kHere};
+const Measurements kMeasured{
+    {{"red", "blue", 2.35, 0.003}}, {{"red", 1.5, 0.01}}, {{"post", {1.0, -2.0, 0.25}, 0.02}}};
 
 TEST(Edit, RevertUndoesApply) {
   const ScratchFolder folder;
@@ -108,6 +115,63 @@ TEST(Edit, ThatDoesNotFitIsRefusedAndChangesNothing) {
   EXPECT_EQ(content_of(project), before);
 }
 
+TEST(Edit, OfSightingsSaysWhereWhatIsThereOrThatItIsNot) {
+  Project project;
+  apply(kMoved, project);
+  EXPECT_EQ(project.calibration.sightings.at("oak").at("red"), kHere);
+  const SetSighting removed = sighting_edit(project, "oak", "red", kNotThere);
+  apply(removed, project);
+  EXPECT_FALSE(project.calibration.sightings.at("oak").at("red").there);
+  revert(removed, project);
+  EXPECT_EQ(project.calibration.sightings.at("oak").at("red"), kHere);
+  apply(sighting_edit(project, "oak", "red", std::nullopt), project);
+  EXPECT_TRUE(project.calibration.empty());
+}
+
+TEST(Edit, OfCalibrationHasATitleToo) {
+  const Project project;
+  EXPECT_EQ(title(kMoved), "red on oak");
+  EXPECT_EQ(title(SetSighting{"oak", "red", kHere, kHere}), "moving red on oak");
+  EXPECT_EQ(title(SetSighting{"oak", "red", kHere, kNotThere}), "removing red on oak");
+  EXPECT_EQ(title(SetSighting{"oak", "red", kHere, std::nullopt}), "forgetting red on oak");
+  EXPECT_EQ(title(SetSightings{"clicks.json", {kMoved}}), "clicks.json");
+  EXPECT_EQ(title(SetMeasurements{{}, {{{"red", "blue", 2.35, 0.003}}, {}, {}}}), "adding a tape");
+  EXPECT_EQ(title(SetMeasurements{{{}, {{"red", 1.5, 0.01}}, {}}, {}}), "removing a height");
+  EXPECT_EQ(title(SetMeasurements{kMeasured, kMeasured}), "measurements");
+  EXPECT_EQ(title(SetFiles{FileKind::boards, "", "../boards"}), "board photos boards");
+}
+
+TEST(Edit, OfCalibrationThatDoesNotFitIsRefusedAndChangesNothing) {
+  Project project;
+  project.calibration.measurements = kMeasured;
+  const double nan = std::nan("");
+  const auto measured = [](auto change) {
+    Measurements wrong = kMeasured;
+    change(wrong);
+    return SetMeasurements{{}, wrong};
+  };
+  const Edit misfits[] = {
+      SetSighting{"oak", "red", std::nullopt, HandSighting{true, {nan, 0.0}}},
+      SetSighting{"oak", "red", std::nullopt, HandSighting{true, {0.0, 1e7}}},
+      SetSighting{"oak", "", std::nullopt, kHere},
+      SetSightings{"", {kMoved, {"oak", "blue", std::nullopt, HandSighting{true, {nan, 0.0}}}}},
+      measured([](Measurements& m) { m.tapes[0].length_m = 0.0; }),
+      measured([](Measurements& m) { m.tapes[0].sigma_m = -1.0; }),
+      measured([](Measurements& m) { m.tapes[0].to = m.tapes[0].from; }),
+      measured([&](Measurements& m) { m.heights[0].height_m = nan; }),
+      measured([](Measurements& m) { m.points[0].in_world.y = 1e9; }),
+      measured([](Measurements& m) { m.points[0].point = "\xff"; })};
+  for (const Edit& edit : misfits) {
+    EXPECT_THROW(checked_edit(edit, project), Error) << title(edit);
+    EXPECT_THROW(apply(edit, project), Error) << title(edit);
+    EXPECT_TRUE(project.calibration.sightings.empty());
+    EXPECT_EQ(project.calibration.measurements, kMeasured);
+  }
+  EXPECT_THROW(checked_edit(SetSighting{"\xff", "red", std::nullopt, kHere}, project), Error);
+  EXPECT_THROW(checked_edit(SetSighting{"", "red", std::nullopt, kHere}, project), Error);
+  EXPECT_THROW(checked_edit(SetSightings{"twice", {kMoved, kMoved}}, project), Error);
+}
+
 TEST(EditBytes, ReadBackAsWritten) {
   const ScratchFolder folder;
   Project project = saved_project(folder.path());
@@ -125,7 +189,10 @@ TEST(EditBytes, CutAnywhereAreRefused) {
                         SetFiles{FileKind::scribbles, "", "x"},
                         AddStroke{"oak", kStroke},
                         ClearStrokes{"oak", {kStroke, kOther}},
-                        SetOptions{"preset", {{"a.b", "1", "2"}, {"c.d", "", "3"}}}};
+                        SetOptions{"preset", {{"a.b", "1", "2"}, {"c.d", "", "3"}}},
+                        kMoved,
+                        SetSightings{"clicks", {kMoved, {"elm", "red", kHere, kNotThere}}},
+                        SetMeasurements{{}, kMeasured}};
   for (const Edit& edit : edits) {
     const auto bytes = bytes_of_edit(edit);
     for (std::size_t size = 0; size < bytes.size(); ++size) {

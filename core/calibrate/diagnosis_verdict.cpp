@@ -1,0 +1,191 @@
+#include "core/calibrate/diagnosis_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/calibrate/diagnosis_points.h"
+#include "core/calibrate/uncertainty.h"
+
+namespace bosk {
+namespace {
+
+constexpr double kOtherPlaceCost = 16.0;  // dearer by less, another place of a camera is as likely
+constexpr double kElsewhere_px = 2.0;
+constexpr int kFewestSpare = 6;  // equations beyond the unknowns
+constexpr double kMostNoise = 8.0;
+
+Camera camera_of(const Solution& solution, int camera) {
+  const SolveInput& input = solution.input;
+  const Lens lens = lens_of(input.problem.family, solution.state.intrinsics, input.lens.width_px,
+                            input.lens.height_px);
+  return {"", lens, solution.state.camera_from_world[std::size_t(camera)]};
+}
+
+std::vector<PoseSighting> used_sightings(const Solution& solution, int camera) {
+  const Lens lens = camera_of(solution, camera).lens;
+  std::vector<PoseSighting> result;
+  for (const BundleSighting& sighting : solution.input.problem.sightings) {
+    if (sighting.camera != camera || !sighting.used) continue;
+    if (const auto bearing = camera_from_pixel(lens, sighting.pixel))
+      result.push_back({solution.state.points[std::size_t(sighting.point)], *bearing,
+                        sighting.sigma_px * solution.loss / kFinalLoss / lens.focal_px.x});
+  }
+  return result;
+}
+
+double apart_px(const Camera& a, const Camera& b, const glm::dvec3& point) {
+  const auto in_a = project(a, point), in_b = project(b, point);
+  return in_a && in_b ? glm::distance(*in_a, *in_b) : 1e6;
+}
+
+// Whether the camera could as well stand elsewhere, the points being where they are.
+bool fits_elsewhere(const Solution& solution, int camera) {
+  constexpr std::size_t kPlenty = 7;
+  const std::vector<PoseSighting> sightings = used_sightings(solution, camera);
+  if (sightings.size() >= kPlenty) return false;
+  const Camera here = camera_of(solution, camera);
+  const double cost =
+      refined_pose(sightings, here.camera_from_world, kLeastSquares).cost + kOtherPlaceCost;
+  const glm::dvec3 crown = crown_point(solution.state);
+  for (const PlacedPose& pose : place_camera(sightings, kLeastSquares))
+    if (pose.cost < cost &&
+        apart_px(here, {"", here.lens, pose.camera_from_world}, crown) > kElsewhere_px)
+      return true;
+  return false;
+}
+
+std::string crown_text(double sigma_px, int sightings, double good_px) {
+  const double share = sigma_px / good_px;
+  const int more = std::clamp(int(std::ceil(sightings * (share * share - 1.0))), 1, 4);
+  return "is uncertain by " + number_text(sigma_px, 1) + " px at the crown: add " +
+         std::to_string(more) + (more == 1 ? " marker" : " markers") + " near its view";
+}
+
+void judge_photo(const Solution& solution, const SolveQuestion& question, int camera,
+                 PhotoFinding& finding) {
+  const SolveOptions& options = question.options;
+  const int used = finding.sightings - finding.outliers;
+  const std::size_t photo = solution.input.photo_of_camera[std::size_t(camera)];
+  if (!(finding.crown_sigma_px < options.refused_crown_px)) {
+    finding.fate = PhotoFate::refused;
+    finding.reason = crown_text(finding.crown_sigma_px, used, options.uncertain_crown_px);
+  } else if (solution.ambiguous[photo] || fits_elsewhere(solution, camera)) {
+    finding.fate = PhotoFate::uncertain;
+    finding.reason = "fits as well from another place: mark more points in it";
+  } else if (used < options.few_sightings) {
+    finding.fate = PhotoFate::uncertain;
+    finding.reason = "has " + std::to_string(used) +
+                     " sightings that fit, too few to check each other: mark " +
+                     std::to_string(options.few_sightings - used) + " more or add markers";
+  } else if (finding.crown_sigma_px > options.uncertain_crown_px) {
+    finding.fate = PhotoFate::uncertain;
+    finding.reason = crown_text(finding.crown_sigma_px, used, options.uncertain_crown_px);
+  }
+}
+
+int count_of(const Calibration& calibration, PhotoFate fate) {
+  return int(std::count_if(calibration.photos.begin(), calibration.photos.end(),
+                           [&](const PhotoFinding& finding) { return finding.fate == fate; }));
+}
+
+void add_survey_sentences(const Solution& solution, std::vector<std::string>& sentences) {
+  const auto& [input, state, determined, ambiguous, loss] = solution;
+  const auto name = [&](int point) { return input.points[std::size_t(point)]; };
+  for (const LengthRow& row : input.problem.lengths) {
+    if (row.used) continue;
+    const double length =
+        glm::distance(state.points[std::size_t(row.from)], state.points[std::size_t(row.to)]);
+    sentences.push_back("the tape from " + name(row.from) + " to " + name(row.to) + " says " +
+                        number_text(row.length, 3) + " m and the photos " + number_text(length, 3) +
+                        " m: measure it again");
+  }
+  for (const CoordinateRow& row : input.problem.coordinates) {
+    if (row.used) continue;
+    const double value = state.points[std::size_t(row.point)][row.axis];
+    sentences.push_back(std::string(row.axis == 2 ? "the height" : "the surveyed place") + " of " +
+                        name(row.point) + " was measured as " + number_text(row.value, 3) +
+                        " m and the photos say " + number_text(value, 3) + " m: measure it again");
+  }
+}
+
+void add_lens_sentence(const Solution& solution, const SolveQuestion& question,
+                       const Calibration& calibration) {
+  (void)solution, (void)question, (void)calibration;
+}
+
+void add_world_sentences(const Calibration& calibration, std::vector<std::string>& sentences) {
+  if (!calibration.scale_known)
+    sentences.push_back(
+        "nothing that was measured gives the size: lengths are in units of the cameras' mean "
+        "distance; measure a tape between two points");
+  if (!calibration.up_known)
+    sentences.push_back(
+        "up is a guess, from cameras held at one height: give the heights of three points, or mark "
+        "balls and feet of upright sticks");
+}
+
+void add_photo_sentences(const Calibration& calibration, std::vector<std::string>& sentences) {
+  for (const PhotoFate fate : {PhotoFate::refused, PhotoFate::uncertain})
+    for (const PhotoFinding& finding : calibration.photos)
+      if (finding.fate == fate)
+        sentences.push_back("photo " + finding.photo + " " + finding.reason);
+}
+
+// Why no camera can be trusted; empty: they can.
+std::string reason_to_refuse(const Solution& solution, const SolveQuestion& question, double noise,
+                             const Calibration& calibration) {
+  const int placed = int(calibration.photos.size()) - count_of(calibration, PhotoFate::refused);
+  const int solved = int(solution.input.cameras());
+  if (redundancy(solution.input.problem, solution.state) < kFewestSpare)
+    return "there are hardly more sightings than unknowns, so that nothing checks them: mark more "
+           "points, in more photos";
+  const auto ambiguous = std::count(solution.ambiguous.begin(), solution.ambiguous.end(), true);
+  if (2 * ambiguous > solved)
+    return "the sightings fit two different walks equally well: mark more points, or take photos "
+           "in between";
+  if (noise * calibration.rms_px > 0.0 && noise > kMostNoise)
+    return "the sightings miss each other by " + number_text(calibration.rms_px, 1) +
+           " px: check the names of the points, and that one lens took all photos";
+  if (placed < 3 || 2 * placed < solved)
+    return "only " + std::to_string(placed) + " of " + std::to_string(calibration.photos.size()) +
+           " photos can be placed to better than " +
+           number_text(question.options.refused_crown_px, 0) +
+           " px at the crown: add markers round the tree and at several heights, and mark each in "
+           "more photos";
+  return {};
+}
+
+}  // namespace
+
+void judge_photos(const Solution& solution, const SolveQuestion& question,
+                  std::vector<PhotoFinding>& findings) {
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    judge_photo(solution, question, int(i), findings[i]);
+}
+
+void judge(const Solution& solution, const SolveQuestion& question, double noise,
+           Calibration& calibration) {
+  std::vector<std::string>& sentences = calibration.sentences;
+  const std::string refusal = reason_to_refuse(solution, question, noise, calibration);
+  const int refused = count_of(calibration, PhotoFate::refused);
+  const int uncertain = count_of(calibration, PhotoFate::uncertain);
+  const bool all_good = refused + uncertain == 0 && calibration.scale_known && calibration.up_known;
+  calibration.verdict = !refusal.empty() ? Verdict::refused
+                        : all_good       ? Verdict::good
+                                         : Verdict::usable;
+  if (!refusal.empty()) sentences.push_back(refusal);
+  add_lens_sentence(solution, question, calibration);
+  for (const std::string& sentence : moved_points(solution.input, solution.state, question.photos,
+                                                  solution.loss, calibration.scale_known))
+    sentences.push_back(sentence);
+  for (const std::string& sentence :
+       swapped_names(solution.input, solution.state, question.photos, solution.loss))
+    sentences.push_back(sentence);
+  add_photo_sentences(calibration, sentences);
+  add_survey_sentences(solution, sentences);
+  add_world_sentences(calibration, sentences);
+  for (const std::string& sentence : solution.input.sentences) sentences.push_back(sentence);
+}
+
+}  // namespace bosk

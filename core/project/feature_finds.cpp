@@ -1,0 +1,158 @@
+#include "core/project/feature_finds.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/image/area_mean.h"
+#include "core/photo/import.h"
+#include "core/project/binary_items.h"
+#include "core/project/calibration_store.h"
+#include "core/project/capture.h"
+
+namespace bosk {
+namespace {
+
+constexpr int kVersion = 1;  // raised whenever the same photos give other features
+constexpr const char* kEntry = "features";
+constexpr int kEntriesKept = 4;
+constexpr int kFewMarkers = 6;  // points of a photo that others show too, for features to help
+
+struct FeatureInput {
+  std::vector<SourceFile> photos;
+  std::vector<std::size_t> places;  // of the photos in the finds
+  Lens lens;                        // at the size that features are found at
+  bool lens_known = false;
+};
+
+FeatureInput input_of(const CalibrationSources& sources, const CalibrationFinds& finds) {
+  FeatureInput input;
+  const Lens& lens = finds.lens.lens;
+  for (std::size_t i = 0; i < finds.photos.size(); ++i) {
+    const PhotoSightings& photo = finds.photos[i];
+    if (photo.width_px != lens.width_px || photo.height_px != lens.height_px) continue;
+    const auto file = std::find_if(sources.photos.begin(), sources.photos.end(),
+                                   [&](const SourceFile& one) { return one.name == photo.photo; });
+    input.photos.push_back(*file);
+    input.places.push_back(i);
+  }
+  const glm::ivec2 size =
+      working_size(lens.width_px, lens.height_px, sources.options.feature_megapixels);
+  input.lens = scaled(lens, size.x, size.y);
+  input.lens_known = finds.lens.known;
+  return input;
+}
+
+ContentHash key_of(const FeatureInput& input, const FeatureOptions& options) {
+  ContentHasher hasher;
+  hasher.text(kEntry).value(kVersion);
+  hash_files(hasher, input.photos);
+  hash_camera(hasher, {"", input.lens, {}});
+  hasher.value(std::uint8_t(input.lens_known)).value(options.features_per_photo);
+  hasher.value(options.ratio).value(options.largest_error_px);
+  hasher.value(options.fewest_matches).value(options.seed);
+  return hasher.finish();
+}
+
+std::vector<Image<glm::vec3>> small_photos(const FeatureInput& input, const DecodeLimits& limits,
+                                           Progress& progress) {
+  progress.begin("reading photos for features", input.photos.size());
+  std::vector<Image<glm::vec3>> images(input.photos.size());
+  tbb::enumerable_thread_specific<PhotoDecoder> decoders(limits);
+  tbb::parallel_for(std::size_t(0), images.size(), [&](std::size_t i) {
+    tbb::this_task_arena::isolate([&] {
+      const DecodedPhoto photo = decoders.local().decode(input.photos[i].path, progress);
+      images[i] = area_mean_srgb(srgb_of(photo), input.lens.width_px, input.lens.height_px);
+    });
+    progress.advance();
+  });
+  return images;
+}
+
+FeatureSightings made_features(const FeatureInput& input, const CalibrationSources& sources,
+                               Progress& progress) {
+  std::vector<Image<glm::vec3>> images;
+  {
+    const ProgressPart part(progress, 0.0, 0.3);
+    images = small_photos(input, sources.limits, progress);
+  }
+  std::vector<FeaturePhoto> photos;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    photos.push_back({input.photos[i].name, &images[i], nullptr});
+  }
+  const ProgressPart part(progress, 0.3, 1.0);
+  return find_features(photos, input.lens, input.lens_known, sources.options.feature, progress);
+}
+
+FeatureSightings features_of(const FeatureInput& input, const CalibrationSources& sources,
+                             const Cache& cache, Progress& progress) {
+  const ContentHash key = key_of(input, sources.options.feature);
+  if (const auto entry = cache.load(kEntry, key)) {
+    try {
+      return read_all<FeatureSightings>(entry->result, read_feature_sightings);
+    } catch (const Error&) {
+      // Made again
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  FeatureSightings features = made_features(input, sources, progress);
+  BinaryWriter writer;
+  write(writer, features);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  cache.store(kEntry, key, writer.bytes(), spent.count());
+  cache.forget_old(kEntry, key, kEntriesKept);
+  return features;
+}
+
+// From the size that features were found at to the photo as delivered; pixel centres stay centres.
+Sighting enlarged(Sighting sighting, const glm::dvec2& scale) {
+  sighting.pixel = (sighting.pixel + 0.5) * scale - 0.5;
+  sighting.sigma_px *= std::max(scale.x, scale.y);
+  return sighting;
+}
+
+}  // namespace
+
+bool needs_features(const std::vector<PhotoSightings>& photos, const CalibrateOptions& options) {
+  if (options.features != "auto") return options.features == "on";
+  std::map<std::string, int> photos_of;
+  for (const PhotoSightings& photo : photos) {
+    for (const Sighting& sighting : photo.sightings) ++photos_of[sighting.point];
+  }
+  return std::any_of(photos.begin(), photos.end(), [&](const PhotoSightings& photo) {
+    const auto shared =
+        std::count_if(photo.sightings.begin(), photo.sightings.end(),
+                      [&](const Sighting& sighting) { return photos_of[sighting.point] >= 2; });
+    return shared < kFewMarkers;
+  });
+}
+
+void add_features(const CalibrationSources& sources, const Cache& cache, CalibrationFinds& finds,
+                  Progress& progress) {
+  const FeatureInput input = input_of(sources, finds);
+  if (input.photos.size() < 2) return;
+  const FeatureSightings features = features_of(input, sources, cache, progress);
+  const Lens& lens = finds.lens.lens;
+  const glm::dvec2 scale = glm::dvec2(lens.width_px, lens.height_px) /
+                           glm::dvec2(input.lens.width_px, input.lens.height_px);
+  for (std::size_t i = 0; i < input.places.size(); ++i) {
+    PhotoSightings& photo = finds.photos[input.places[i]];
+    for (const Sighting& sighting : features.photos[i].sightings) {
+      photo.sightings.push_back(enlarged(sighting, scale));
+    }
+    const auto& pose = features.camera_from_world[i];
+    if (pose) finds.first_poses.push_back({photo.photo, *pose});
+  }
+  finds.sentences.insert(finds.sentences.end(), features.sentences.begin(),
+                         features.sentences.end());
+  if (!finds.lens.known && !finds.first_poses.empty()) {
+    finds.lens.lens = scaled(features.lens, lens.width_px, lens.height_px);
+  }
+}
+
+}  // namespace bosk
