@@ -9,6 +9,7 @@
 #include "core/project/calibration_report.h"
 #include "core/project/calibration_run.h"
 #include "core/project/lock.h"
+#include "core/project/project_json.h"
 
 namespace bosk {
 namespace {
@@ -41,10 +42,15 @@ void show(const std::string& folder, const Calibration& calibration, Console& co
   nlohmann::ordered_json json = calibration_figures_json(calibration);
   json["project"] = folder;
   json["exit_status"] = int(status_of(calibration.verdict));
+  const bool refused = calibration.verdict == Verdict::refused;
+  const std::string why = refused ? refusal_of(calibration) : "";
+  if (refused) json["error"] = why;
   console.result(printable(folder) + ": " + calibration_figures_text(calibration), json);
+  if (refused) console.say("bosk: " + printable(folder) + ": " + why + "; the project is as it was");
 }
 
 ExitStatus calibrate(const CalibrateArguments& arguments, Console& console) {
+  require_project(arguments.folder);
   const ProjectLock lock(arguments.folder);
   Project project = read_project(arguments.folder);
   take_arguments(arguments, project);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.h"
 #include "core/base/number_text.h"
@@ -152,30 +153,59 @@ std::string drawn_text(const Project& project) {
          std::to_string(project.strokes.size()) + " photos\n";
 }
 
+std::size_t click_count(const Project& project) {
+  std::size_t count = 0;
+  for (const auto& [photo, points] : project.calibration.sightings) count += points.size();
+  return count;
+}
+
+std::string told_text(const Project& project) {
+  if (project.calibration.empty()) return "";
+  const Measurements& measured = project.calibration.measurements;
+  return "  told for calibration: " + std::to_string(click_count(project)) + " clicks, " +
+         std::to_string(measured.tapes.size()) + " tapes, " +
+         std::to_string(measured.heights.size()) + " heights, " +
+         std::to_string(measured.points.size()) + " surveyed points\n";
+}
+
+// None, with a remark, where the project has neither a camera file nor a calibration.
+std::optional<Capture> known_capture(const Project& project, std::vector<std::string>& remarks) {
+  try {
+    Capture capture = gather_capture(project);
+    remarks = capture.remarks;
+    return capture;
+  } catch (const Error& error) {
+    if (!project.cameras.empty()) throw;
+    remarks = {error.what()};
+    return std::nullopt;
+  }
+}
+
+fs::path camera_source(const Project& project, bool has_cameras) {
+  if (!project.cameras.empty() || !has_cameras) return project.cameras;
+  return "calibrated from the photos";
+}
+
 void show_project(const std::string& folder, Console& console) {
   const Project project = read_project(folder);
-  const bool has_cameras = !project.cameras.empty();
-  Capture capture;
-  if (has_cameras) {
-    capture = gather_capture(project);
-  } else {
-    capture.remarks.push_back("no cameras yet; " + cameras_remedy(folder));
-  }
+  std::vector<std::string> remarks;
+  const std::optional<Capture> known = known_capture(project, remarks);
+  const Capture capture = known.value_or(Capture());
   std::string text = printable(folder) + ": project with " + std::to_string(capture.photos.size()) +
                      " of " + std::to_string(project.photos.size()) + " photos in use\n" +
-                     source_text("cameras", project.cameras) +
+                     source_text("cameras", camera_source(project, known.has_value())) +
                      source_text("mattes", project.mattes) +
-                     source_text("strokes", project.scribbles) + drawn_text(project);
+                     source_text("strokes", project.scribbles) + drawn_text(project) +
+                     told_text(project);
   Json finished = Json::object();
   for (const Stage& stage : stages()) finished[stage.name] = false;
   std::string done_text;
-  for (const StageTime& time :
-       has_cameras ? times_spent(project, capture) : std::vector<StageTime>()) {
+  for (const StageTime& time : known ? times_spent(project, capture) : std::vector<StageTime>()) {
     done_text += " " + time.stage + " (" + number_text(time.seconds, 1) + " s)";
     finished[time.stage] = true;
   }
   text += "  finished stages:" + (done_text.empty() ? " none" : done_text) + "\n";
-  for (const std::string& remark : capture.remarks) text += "  " + remark + "\n";
+  for (const std::string& remark : remarks) text += "  " + remark + "\n";
   console.result(text, {{"kind", "project"},
                         {"photos_given", project.photos.size()},
                         {"photos_used", capture.photos.size()},
@@ -183,7 +213,9 @@ void show_project(const std::string& folder, Console& console) {
                         {"mattes", project.mattes.generic_string()},
                         {"scribbles", project.scribbles.generic_string()},
                         {"strokes", stroke_count(project)},
-                        {"remarks", capture.remarks},
+                        {"calibrated", project.cameras.empty() && known},
+                        {"clicks", click_count(project)},
+                        {"remarks", remarks},
                         {"finished", finished},
                         {"options", options_json(project.recipe)}});
 }

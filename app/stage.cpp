@@ -35,7 +35,9 @@ void add_stage_command(CLI::App& app, Request& request, const std::string& stage
       add_command(app, request, stage, description, "bosk " + stage + " oak --preset fast");
   auto arguments = std::make_shared<StageArguments>();
   command.add_option("PROJECT", arguments->folder, "folder of the project")->required();
-  add_stage_options(command, stages_up_to(stage), arguments->choices);
+  std::vector<std::string> groups = stages_up_to(stage);
+  groups.insert(groups.begin(), "calibrate");
+  add_stage_options(command, groups, arguments->choices);
   command.callback([stage, arguments, &request] {
     request.run = [stage, arguments](Console& console) {
       return run_stage(stage, *arguments, console);

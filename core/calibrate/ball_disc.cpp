@@ -27,6 +27,7 @@ constexpr double kLeastEdgeSigma = 0.12;  // of an edge point, pixels
 
 struct Colours {
   vec2 ball{0.0f}, around{0.0f};
+  float lightness = 0.0f;  // median L* inside
 };
 
 float median(std::vector<float> values) {
@@ -63,12 +64,17 @@ void for_pixels_around(const Image<vec3>& image, const dvec2& centre, double rea
 // from it: leaves may hide the rest.
 Colours colours_at(const Image<vec3>& image, const dvec2& centre, double radius) {
   std::vector<vec2> inside, around;
+  std::vector<float> lightness;
   for_pixels_around(image, centre, 2.4 * radius, [&](const vec3& value, double distance) {
-    if (distance <= 0.75 * radius) inside.emplace_back(value);
+    if (distance <= 0.75 * radius) {
+      inside.emplace_back(value);
+      lightness.push_back(value.z);
+    }
     if (distance >= 1.5 * radius) around.emplace_back(value);
   });
   Colours colours;
   colours.around = median(around);
+  colours.lightness = median(std::move(lightness));
   std::sort(inside.begin(), inside.end(), [&](const vec2& a, const vec2& b) {
     return glm::distance(a, colours.around) > glm::distance(b, colours.around);
   });
@@ -218,6 +224,7 @@ SightedBall ball_of(const CircleFit& circle, const Colours& colours, const Cover
   ball.radius_px = circle.radius;
   ball.visible = cover.inside;
   ball.saturation = colours.ball;
+  ball.lightness = colours.lightness;
   ball.contrast = double(glm::distance(colours.ball, colours.around));
   // Neighbouring edge points share pixels: about one in two is news where rays are a pixel apart.
   const double edge_px = 2.0 * std::numbers::pi * circle.radius;

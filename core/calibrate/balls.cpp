@@ -5,6 +5,7 @@
 #include "core/calibrate/ball_candidates.h"
 #include "core/calibrate/ball_colour.h"
 #include "core/calibrate/ball_disc.h"
+#include "core/calibrate/ball_stick.h"
 #include "core/image/pyramid.h"
 
 namespace bosk {
@@ -18,6 +19,10 @@ SightedBall enlarged(SightedBall ball, int levels) {
   ball.centre_px = (ball.centre_px + 0.5) * scale - 0.5;
   ball.radius_px *= scale;
   ball.sigma_px *= scale;
+  if (ball.foot) {
+    ball.foot->pixel = (ball.foot->pixel + 0.5) * scale - 0.5;
+    ball.foot->sigma_px *= scale;
+  }
   return ball;
 }
 
@@ -45,7 +50,9 @@ void find_in_level(const Image<glm::vec3>& srgb, int level, const BallOptions& o
     progress.check();
     const auto disc = measure_disc(image, blob, options.least_visible);
     if (!disc) continue;
-    const SightedBall ball = enlarged(*disc, level);
+    SightedBall whole = *disc;
+    whole.foot = find_stick_foot(image, *disc);
+    const SightedBall ball = enlarged(whole, level);
     const double diameter = 2.0 * ball.radius_px;
     if (diameter >= options.smallest_diameter_px && diameter <= options.largest_diameter_px)
       found.push_back(ball);

@@ -14,8 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPinned = 1e12;  // weight of a pinned move, large beside what data say of others
-
 Vector3d eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 glm::dvec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -51,6 +49,7 @@ void add_row(NormalEquations& equations, const Row& row, double loss_scale) {
       robust_loss(row.residual.squaredNorm(), row.doubted ? loss_scale : kLeastSquares);
   equations.cost += loss.cost;
   for (const Row::Part& part : row.parts) {
+    if (part.by.cols() == 0) continue;  // a lens of which nothing is free
     if (part.point >= 0) {
       EliminatedPoint& point = equations.points[std::size_t(part.point)];
       point.own += loss.weight * part.by.transpose() * part.by;
@@ -59,7 +58,8 @@ void add_row(NormalEquations& equations, const Row& row, double loss_scale) {
       equations.gradient.segment(part.offset, part.by.cols()) +=
           loss.weight * part.by.transpose() * row.residual;
     }
-    for (const Row::Part& other : row.parts) add_pair(equations, part, other, loss.weight);
+    for (const Row::Part& other : row.parts)
+      if (other.by.cols() > 0) add_pair(equations, part, other, loss.weight);
   }
 }
 

@@ -46,6 +46,9 @@ struct NormalEquations {
   double cost = 0.0;
 };
 
+// Weight of a pinned change, large beside what data say of others.
+inline constexpr double kPinned = 1e12;
+
 // Throws Cancelled.
 NormalEquations normal_equations(const BundleProblem& problem, const BundleState& state,
                                  double loss_scale, const Progress& progress);

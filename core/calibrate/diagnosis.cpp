@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/calibrate/diagnosis_lens.h"
 #include "core/calibrate/diagnosis_verdict.h"
 #include "core/calibrate/photo_quirks.h"
 
@@ -56,26 +57,25 @@ std::vector<PhotoFinding> camera_findings(const Solution& solution, const SolveQ
   return findings;
 }
 
-void add_uncertainties(const Solution& solution, double noise, const Progress& progress,
-                       std::vector<PhotoFinding>& findings) {
-  BundleProblem shape = solution.input.problem;
-  shape.pinned = all_moves();
-  const BundleCovariance of_shape(shape, solution.state, noise, progress);
-  const BundleCovariance of_world(solution.input.problem, solution.state, noise, progress);
-  const glm::dvec3 crown = crown_point(solution.state);
-  const double ring_px =
-      0.25 * std::min(solution.input.lens.width_px, solution.input.lens.height_px);
+CrownView crown_view(const Solution& solution) {
+  const Lens& lens = solution.input.lens;
+  return {crown_point(solution.state), 0.25 * std::min(lens.width_px, lens.height_px)};
+}
+
+void add_uncertainties(const Solution& solution, double noise, const BundleCovariance& of_world,
+                       const Progress& progress, std::vector<PhotoFinding>& findings) {
+  const BundleProblem& problem = solution.input.problem;
+  const CrownView view = crown_view(solution);
+  const BundleCovariance shape = crown_covariance(problem, solution.state, noise, view, progress);
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    findings[i].crown_sigma_px =
-        crown_sigma_px(of_shape, shape, solution.state, int(i), crown, ring_px);
+    findings[i].crown_sigma_px = crown_sigma_px(shape, problem, solution.state, int(i), view);
     findings[i].centre_covariance_m2 = glm_matrix(of_world.centre(int(i)));
   }
 }
 
-std::vector<SolvedPoint> solved_points(const Solution& solution, double noise,
+std::vector<SolvedPoint> solved_points(const Solution& solution, const BundleCovariance& covariance,
                                        const std::vector<glm::dvec2>& errors,
                                        const Progress& progress) {
-  const BundleCovariance covariance(solution.input.problem, solution.state, noise, progress);
   std::vector<SolvedPoint> points(solution.input.points.size());
   std::vector<double> squares(points.size(), 0.0);
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -185,18 +185,18 @@ Calibration report(const Solution& solution, const SolveQuestion& question,
   calibration.lens = solved_lens(solution, question.lens);
   calibration.lens_was_known = question.lens.known;
   std::vector<PhotoFinding> findings = camera_findings(solution, question, errors);
-  add_uncertainties(solution, noise, progress, findings);
+  const BundleCovariance covariance(problem, solution.state, noise, {}, progress);
+  add_uncertainties(solution, noise, covariance, progress, findings);
   judge_photos(solution, question, findings);
-  calibration.points = solved_points(solution, noise, errors, progress);
+  calibration.points = solved_points(solution, covariance, errors, progress);
   calibration.residuals = residuals_of(solution, question, errors);
   calibration.rms_px = rms_of(calibration.residuals);
   calibration.photos = all_findings(solution.input, question, findings);
   calibration.scale_known = solution.determined.scale;
   calibration.up_known = solution.determined.up;
-  if (calibration.scale_known)
-    calibration.scale_sigma =
-        BundleCovariance(problem, solution.state, noise, progress).scale_sigma();
-  judge(solution, question, noise, calibration);
+  if (calibration.scale_known) calibration.scale_sigma = covariance.scale_sigma();
+  judge(solution, question, noise, lens_doubt(solution, question, covariance, progress),
+        calibration);
   if (calibration.verdict != Verdict::refused) add_cameras(solution, findings, calibration);
   return calibration;
 }

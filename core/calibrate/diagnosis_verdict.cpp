@@ -109,11 +109,6 @@ void add_survey_sentences(const Solution& solution, std::vector<std::string>& se
   }
 }
 
-void add_lens_sentence(const Solution& solution, const SolveQuestion& question,
-                       const Calibration& calibration) {
-  (void)solution, (void)question, (void)calibration;
-}
-
 void add_world_sentences(const Calibration& calibration, std::vector<std::string>& sentences) {
   if (!calibration.scale_known)
     sentences.push_back(
@@ -125,11 +120,30 @@ void add_world_sentences(const Calibration& calibration, std::vector<std::string
         "balls and feet of upright sticks");
 }
 
-void add_photo_sentences(const Calibration& calibration, std::vector<std::string>& sentences) {
-  for (const PhotoFate fate : {PhotoFate::refused, PhotoFate::uncertain})
-    for (const PhotoFinding& finding : calibration.photos)
-      if (finding.fate == fate)
-        sentences.push_back("photo " + finding.photo + " " + finding.reason);
+// Photos that are uncertain at the crown share a sentence when they are many.
+void add_photo_sentences(const Calibration& calibration, const SolveOptions& options,
+                         std::vector<std::string>& sentences) {
+  constexpr std::size_t kMany = 4;
+  std::vector<std::string> others, at_crown;
+  double least_px = 1e9, most_px = 0.0;
+  for (const PhotoFate fate : {PhotoFate::refused, PhotoFate::uncertain}) {
+    for (const PhotoFinding& finding : calibration.photos) {
+      if (finding.fate != fate) continue;
+      const bool by_crown =
+          fate == PhotoFate::uncertain && finding.crown_sigma_px > options.uncertain_crown_px;
+      (by_crown ? at_crown : others).push_back("photo " + finding.photo + " " + finding.reason);
+      if (!by_crown) continue;
+      least_px = std::min(least_px, finding.crown_sigma_px);
+      most_px = std::max(most_px, finding.crown_sigma_px);
+    }
+  }
+  if (at_crown.size() > kMany)
+    at_crown = {std::to_string(at_crown.size()) + " photos are uncertain by " +
+                number_text(least_px, 1) + " to " + number_text(most_px, 1) +
+                " px at the crown: add markers round the tree and higher up, or mark each in more "
+                "photos"};
+  sentences.insert(sentences.end(), others.begin(), others.end());
+  sentences.insert(sentences.end(), at_crown.begin(), at_crown.end());
 }
 
 // Why no camera can be trusted; empty: they can.
@@ -165,7 +179,7 @@ void judge_photos(const Solution& solution, const SolveQuestion& question,
 }
 
 void judge(const Solution& solution, const SolveQuestion& question, double noise,
-           Calibration& calibration) {
+           const std::optional<std::string>& doubt_of_lens, Calibration& calibration) {
   std::vector<std::string>& sentences = calibration.sentences;
   const std::string refusal = reason_to_refuse(solution, question, noise, calibration);
   const int refused = count_of(calibration, PhotoFate::refused);
@@ -175,14 +189,14 @@ void judge(const Solution& solution, const SolveQuestion& question, double noise
                         : all_good       ? Verdict::good
                                          : Verdict::usable;
   if (!refusal.empty()) sentences.push_back(refusal);
-  add_lens_sentence(solution, question, calibration);
+  if (doubt_of_lens) sentences.push_back(*doubt_of_lens);
   for (const std::string& sentence : moved_points(solution.input, solution.state, question.photos,
                                                   solution.loss, calibration.scale_known))
     sentences.push_back(sentence);
   for (const std::string& sentence :
        swapped_names(solution.input, solution.state, question.photos, solution.loss))
     sentences.push_back(sentence);
-  add_photo_sentences(calibration, sentences);
+  add_photo_sentences(calibration, question.options, sentences);
   add_survey_sentences(solution, sentences);
   add_world_sentences(calibration, sentences);
   for (const std::string& sentence : solution.input.sentences) sentences.push_back(sentence);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/calibrate/solve_steps.h"
@@ -15,6 +17,6 @@ void judge_photos(const Solution& solution, const SolveQuestion& question,
 // Verdict and sentences of a calibration that is otherwise complete. `noise` is how much larger the
 // sightings' errors are than they say.
 void judge(const Solution& solution, const SolveQuestion& question, double noise,
-           Calibration& calibration);
+           const std::optional<std::string>& doubt_of_lens, Calibration& calibration);
 
 }  // namespace bosk

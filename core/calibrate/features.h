@@ -28,7 +28,7 @@ struct FeatureOptions {
   double ratio = 0.8;             // 0.5 to 1: distance of the best match over the second best
   double largest_error_px = 3.0;  // of a match, from its epipolar line
   int fewest_matches = 20;        // of a pair of photos that counts
-  int seed = 1;
+  int tracks_per_photo = 300;     // 50 to 5000, the longest
 };
 
 // What features alone say. `photos` runs beside the input; points are named "f12". Of the photos

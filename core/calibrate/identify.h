@@ -9,22 +9,29 @@
 
 namespace bosk {
 
-// A ball's name is its colour's: "red", "light blue". `names` runs beside the photos and their
-// balls; empty for a ball that was left out. `sentences` say what was left out and what to do.
+// A ball as the photos together tell of it.
+struct BallIdentity {
+  std::string name;          // its colour's: "red", "light blue"; empty for one that is left out
+  bool foot_counts = false;  // its stick is as long, in radii, as in the other photos
+};
+
+// `balls` runs beside the photos and their balls; `sentences` say what was left out and what to do.
 struct BallNames {
-  std::vector<std::vector<std::string>> names;
+  std::vector<std::vector<BallIdentity>> balls;
   std::vector<std::string> sentences;
 };
 
 // Groups the balls of all photos by colour, whatever the exposure of each photo, and names the
-// groups. Balls that no colour tells apart are left out in every photo, with a sentence.
-BallNames name_balls(std::span<const std::vector<SightedBall>> photos);
+// groups. A colour that only one photo shows is left out, and so are balls that no colour tells
+// apart, in every photo and with a sentence. `photos` and `photo_names` are equally many.
+BallNames name_balls(std::span<const std::vector<SightedBall>> photos,
+                     std::span<const std::string> photo_names);
 
 // The name of the second sighting of a ball, its stick's foot: "red foot".
 std::string foot_name(const std::string& ball);
 
-// The sightings of one photo's balls and feet; `names` beside the balls.
+// The sightings of one photo's balls and feet; `identities` beside the balls.
 std::vector<Sighting> ball_sightings(std::span<const SightedBall> balls,
-                                     std::span<const std::string> names);
+                                     std::span<const BallIdentity> identities);
 
 }  // namespace bosk

@@ -29,7 +29,7 @@ struct SolveOptions {
   int fewest_sightings = 4;     // of points seen in other photos too; photos with less are refused
   int few_sightings = 5;        // photos with less are placed with a warning
   double outlier_sigmas = 5.0;  // sightings further off, in standard deviations, are left out
-  double uncertain_crown_px = 0.6;     // one sigma at the crown above which a photo is uncertain
+  double uncertain_crown_px = 1.5;     // one sigma at the crown above which a photo is uncertain
   double refused_crown_px = 6.0;       // above which its camera isn't given
   std::vector<FirstPose> first_poses;  // from features or an earlier solve; of any of the photos
 };

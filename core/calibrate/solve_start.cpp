@@ -92,28 +92,54 @@ std::vector<Seed> all_seeds(const SolveInput& input, const SeedScene& scene,
   return seeds;
 }
 
-// The other solve, moved and sized so that points and cameras lie as near as they can to the best.
+std::vector<glm::dvec3> places_of(const BundleState& state) {
+  std::vector<glm::dvec3> all = state.points;
+  for (const RigidTransform& camera : state.camera_from_world)
+    all.push_back(inverse(camera).translation);
+  return all;
+}
+
+// The nearer three quarters of the pairs, as the similarity puts them.
+void keep_near(const Similarity& fit, std::vector<glm::dvec3>& source,
+               std::vector<glm::dvec3>& target) {
+  std::vector<double> misses;
+  for (std::size_t i = 0; i < source.size(); ++i)
+    misses.push_back(glm::distance(fit * source[i], target[i]));
+  std::vector<double> sorted = misses;
+  std::sort(sorted.begin(), sorted.end());
+  const double bound = sorted[sorted.size() * 3 / 4];
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    if (misses[i] > bound) continue;
+    source[kept] = source[i];
+    target[kept++] = target[i];
+  }
+  source.resize(kept);
+  target.resize(kept);
+}
+
+// The other solve, moved and sized so that most points and cameras lie as near as they can to the
+// best.
 std::optional<BundleState> beside(const BundleState& best, const BundleState& other) {
-  const auto places = [](const BundleState& state) {
-    std::vector<glm::dvec3> all = state.points;
-    for (const RigidTransform& camera : state.camera_from_world)
-      all.push_back(inverse(camera).translation);
-    return all;
-  };
+  std::vector<glm::dvec3> source = places_of(other), target = places_of(best);
   try {
-    return moved(other, fit_similarity(places(other), places(best)));
+    Similarity fit = fit_similarity(source, target);
+    for (int round = 0; round < 2; ++round) {
+      keep_near(fit, source, target);
+      fit = fit_similarity(source, target);
+    }
+    return moved(other, fit);
   } catch (const Error&) {
     return std::nullopt;
   }
 }
 
 double crown_shift_px(const BundleProblem& problem, const BundleState& best,
-                      const BundleState& other, int camera, const glm::dvec3& crown,
-                      double ring_px) {
+                      const BundleState& other, int camera, const CrownView& crown) {
   BundleProblem view;
   view.family = problem.family;
   BundleState a = best, b = other;
-  a.points = b.points = crown_ring(best, camera, crown, ring_px);
+  a.points = b.points = crown_ring(best, camera, crown);
   for (int i = 0; i < int(a.points.size()); ++i)
     view.sightings.push_back({camera, i, glm::dvec2(0.0), 1.0, true});
   const auto in_best = sighting_errors(view, a), in_other = sighting_errors(view, b);
@@ -128,14 +154,13 @@ std::vector<bool> ambiguous_cameras(const SolveInput& input,
                                     const std::vector<SolvedSeed>& solved) {
   std::vector<bool> ambiguous(input.cameras(), false);
   const BundleState& best = solved.front().state;
-  const glm::dvec3 crown = crown_point(best);
-  const double ring_px = 0.25 * std::min(input.lens.width_px, input.lens.height_px);
+  const CrownView crown{crown_point(best),
+                        0.25 * std::min(input.lens.width_px, input.lens.height_px)};
   for (const SolvedSeed& seed : solved) {
     if (seed.cost > solved.front().cost + kAsGood) break;
     const auto other = beside(best, seed.state);
     for (std::size_t i = 0; i < ambiguous.size(); ++i)
-      if (!other ||
-          crown_shift_px(input.problem, best, *other, int(i), crown, ring_px) > kElsewhere_px)
+      if (!other || crown_shift_px(input.problem, best, *other, int(i), crown) > kElsewhere_px)
         ambiguous[i] = true;
   }
   return ambiguous;

@@ -1,6 +1,7 @@
 #include "core/calibrate/uncertainty.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -44,9 +45,10 @@ MatrixXd inverse_of(MatrixXd matrix) {
 }  // namespace
 
 BundleCovariance::BundleCovariance(const BundleProblem& problem, const BundleState& state,
-                                   double noise, const Progress& progress)
+                                   double noise, const MatrixXd& pins, const Progress& progress)
     : state_(state),
       equations_(normal_equations(with_noise(problem, noise), state, kLeastSquares, progress)) {
+  if (pins.cols() > 0) equations_.dense.selfadjointView<Eigen::Lower>().rankUpdate(pins, kPinned);
   ReducedSystem system = reduced(equations_, 0.0, progress);
   dense_ = inverse_of(std::move(system.matrix));
   own_inverse_ = std::move(system.own_inverse);
@@ -119,44 +121,84 @@ double BundleCovariance::scale_sigma() const {
   return std::sqrt(std::max(0.0, by.dot(dense_ * by)));
 }
 
-std::vector<GaugeMove> all_moves() {
-  std::vector<GaugeMove> moves(7, GaugeMove{});
-  for (std::size_t i = 0; i < 7; ++i) moves[i][i] = 1.0;
-  return moves;
-}
-
-std::vector<glm::dvec3> crown_ring(const BundleState& state, int camera, const glm::dvec3& crown,
-                                   double ring_px) {
+std::vector<glm::dvec3> crown_ring(const BundleState& state, int camera, const CrownView& view) {
   const RigidTransform& pose = state.camera_from_world[std::size_t(camera)];
   const RigidTransform world_from_camera = inverse(pose);
-  const double radius = ring_px / state.intrinsics[0] * (pose * crown).z;
-  std::vector<glm::dvec3> ring{crown};
+  const double radius = view.ring_px / state.intrinsics[0] * (pose * view.crown).z;
+  std::vector<glm::dvec3> ring{view.crown};
   for (int i = 0; i < 8; ++i) {
     const double angle = 0.7853981633974483 * i;
-    ring.push_back(crown + radius * (world_from_camera.rotation *
-                                     glm::dvec3(std::cos(angle), std::sin(angle), 0.0)));
+    ring.push_back(view.crown + radius * (world_from_camera.rotation *
+                                          glm::dvec3(std::cos(angle), std::sin(angle), 0.0)));
   }
   return ring;
 }
 
-double crown_sigma_px(const BundleCovariance& covariance, const BundleProblem& problem,
-                      const BundleState& state, int camera, const glm::dvec3& crown,
-                      double ring_px) {
-  BundleProblem view;
-  view.family = problem.family;
-  view.lens_free = problem.lens_free;
+namespace {
+
+// Derivatives of the ring's pixels by the free intrinsics, then the camera.
+std::vector<MatrixXd> ring_derivatives(const BundleProblem& problem, const BundleState& state,
+                                       int camera, const CrownView& view) {
+  BundleProblem sight;
+  sight.family = problem.family;
+  sight.lens_free = problem.lens_free;
   BundleState there = state;
-  there.points = crown_ring(state, camera, crown, ring_px);
+  there.points = crown_ring(state, camera, view);
   for (int i = 0; i < int(there.points.size()); ++i)
-    view.sightings.push_back({camera, i, glm::dvec2(0.0), 1.0, true});
-  const ProjectedSightings seen = project_sightings(view, there, view.sightings, true);
-  const MatrixXd both = covariance.lens_and_camera(camera);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < there.points.size(); ++i) {
-    const MatrixXd by = pixel_by_lens_and_camera(view, there, seen, i);
-    sum += (by * both * by.transpose()).trace();
+    sight.sightings.push_back({camera, i, glm::dvec2(0.0), 1.0, true});
+  const ProjectedSightings seen = project_sightings(sight, there, sight.sightings, true);
+  std::vector<MatrixXd> derivatives;
+  for (std::size_t i = 0; i < there.points.size(); ++i)
+    derivatives.push_back(pixel_by_lens_and_camera(sight, there, seen, i));
+  return derivatives;
+}
+
+// B^T B of the derivatives B of all rings by the dense part.
+MatrixXd ring_normal(const BundleProblem& problem, const BundleState& state,
+                     const BundleLayout& layout, const CrownView& view) {
+  MatrixXd normal = MatrixXd::Zero(layout.dense_size, layout.dense_size);
+  const int lens = int(layout.lens.size());
+  for (int camera = 0; camera < int(state.camera_from_world.size()); ++camera) {
+    const int begin = layout.camera(camera);
+    for (const MatrixXd& by : ring_derivatives(problem, state, camera, view)) {
+      const MatrixXd own = by.transpose() * by;
+      normal.topLeftCorner(lens, lens) += own.topLeftCorner(lens, lens);
+      normal.block(0, begin, lens, 6) += own.topRightCorner(lens, 6);
+      normal.block(begin, 0, 6, lens) += own.bottomLeftCorner(6, lens);
+      normal.block(begin, begin, 6, 6) += own.bottomRightCorner(6, 6);
+    }
   }
-  return std::sqrt(sum / double(there.points.size()));
+  return normal;
+}
+
+}  // namespace
+
+// Of all changes that differ by moves of the world, the one whose ring pixels B x are least has
+// G^T B^T B x = 0, G being the moves: so B^T B G is pinned.
+BundleCovariance crown_covariance(const BundleProblem& problem, const BundleState& state,
+                                  double noise, const CrownView& view, const Progress& progress) {
+  BundleProblem shape = problem;
+  shape.pinned.clear();
+  const BundleLayout layout = layout_of(problem, state);
+  MatrixXd moves(layout.dense_size, 7);
+  for (int i = 0; i < 7; ++i) {
+    GaugeMove move{};
+    move[std::size_t(i)] = 1.0;
+    moves.col(i) = gauge_direction(layout, state, move, view.crown).normalized();
+  }
+  const MatrixXd pins = ring_normal(problem, state, layout, view) * moves;
+  const Eigen::HouseholderQR<MatrixXd> factor(pins);
+  const MatrixXd basis = factor.householderQ() * MatrixXd::Identity(pins.rows(), 7);
+  return {shape, state, noise, basis, progress};
+}
+
+double crown_sigma_px(const BundleCovariance& covariance, const BundleProblem& problem,
+                      const BundleState& state, int camera, const CrownView& view) {
+  const MatrixXd both = covariance.lens_and_camera(camera);
+  const std::vector<MatrixXd> derivatives = ring_derivatives(problem, state, camera, view);
+  double sum = 0.0;
+  for (const MatrixXd& by : derivatives) sum += (by * both * by.transpose()).trace();
+  return std::sqrt(sum / double(derivatives.size()));
 }
 
 int redundancy(const BundleProblem& problem, const BundleState& state) {

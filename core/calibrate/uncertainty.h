@@ -12,9 +12,11 @@ namespace bosk {
 // place, orientation and size count as exact. Sightings that aren't used don't count.
 class BundleCovariance {
  public:
-  // `noise` multiplies every sighting's sigma: what residuals say of it. Throws Cancelled.
+  // `noise` multiplies every sighting's sigma: what residuals say of it. `pins` are columns of
+  // changes of the dense part (see BundleLayout) that count as impossible, besides
+  // problem.pinned. Throws Cancelled.
   BundleCovariance(const BundleProblem& problem, const BundleState& state, double noise,
-                   const Progress& progress);
+                   const Eigen::MatrixXd& pins, const Progress& progress);
 
   Eigen::MatrixXd lens_and_camera(int camera) const;  // free intrinsics, then rotation, translation
   Eigen::Matrix3d centre(int camera) const;           // of a camera, in the world
@@ -32,17 +34,22 @@ class BundleCovariance {
   std::vector<Eigen::Matrix3d> own_inverse_;
 };
 
-// All seven: what remains is the uncertainty of the shape, whatever was measured of size and place.
-std::vector<GaugeMove> all_moves();
+// The crown and its surroundings as every camera sees them: the crown point and a ring of eight
+// round it, `ring_px` from it.
+struct CrownView {
+  glm::dvec3 crown{0.0};
+  double ring_px = 0.0;
+};
+std::vector<glm::dvec3> crown_ring(const BundleState& state, int camera, const CrownView& view);
 
-// One sigma, radial, of where the camera sees the crown: the root mean square over the crown point
-// and a ring round it that is half as wide as the photo.
+// The covariance of the cameras' shape: whatever was measured of size, place and orientation, the
+// moves of the world count as made so that the cameras see the crown as nearly as they can where
+// they should.
+BundleCovariance crown_covariance(const BundleProblem& problem, const BundleState& state,
+                                  double noise, const CrownView& view, const Progress& progress);
+// One sigma, radial, of where the camera sees the crown: the root mean square over the ring.
 double crown_sigma_px(const BundleCovariance& covariance, const BundleProblem& problem,
-                      const BundleState& state, int camera, const glm::dvec3& crown,
-                      double ring_px);
-// The crown point and eight points round it, `ring_px` from it in the camera's view.
-std::vector<glm::dvec3> crown_ring(const BundleState& state, int camera, const glm::dvec3& crown,
-                                   double ring_px);
+                      const BundleState& state, int camera, const CrownView& view);
 
 // How much larger than they say the sightings' errors are: the root of the residuals' chi square
 // over the degrees of freedom, drawn towards 1 where these are few.

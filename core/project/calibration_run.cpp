@@ -115,10 +115,13 @@ Calibration run_calibration(const CalibrationSources& sources, const Cache& cach
   return calibration;
 }
 
-void require_cameras(const Calibration& calibration) {
-  if (calibration.verdict != Verdict::refused) return;
+std::string refusal_of(const Calibration& calibration) {
   const std::string why = calibration.sentences.empty() ? "" : ": " + calibration.sentences.front();
-  throw Error("no cameras could be found for the photos" + why);
+  return "no cameras could be found for the photos" + why;
+}
+
+void require_cameras(const Calibration& calibration) {
+  if (calibration.verdict == Verdict::refused) throw Error(refusal_of(calibration));
 }
 
 }  // namespace bosk

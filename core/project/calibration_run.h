@@ -29,7 +29,9 @@ void store_calibration(const CalibrationSources& sources, const Calibration& cal
 Calibration run_calibration(const CalibrationSources& sources, const Cache& cache,
                             Progress& progress);
 
-// Throws Error with the first sentence when no cameras are given.
+// "no cameras could be found for the photos: " with the most important sentence.
+std::string refusal_of(const Calibration& calibration);
+// Throws Error that says so when no cameras are given.
 void require_cameras(const Calibration& calibration);
 
 // What the solve takes: the finds with a person's say over them.

@@ -1,5 +1,5 @@
-// ball_benchmark [--list] CAPTURE...: finds and names the coloured balls of captures with truth, and
-// prints how many, how well and how fast. A capture is a folder of `bosk phantom`, or one with
+// ball_benchmark [--list] CAPTURE...: finds and names the coloured balls of captures with truth,
+// and prints how many, how well and how fast. A capture is a folder of `bosk phantom`, or one with
 // marker_clicks.json. --list prints every ball.
 #include <chrono>
 #include <cstdio>
@@ -13,7 +13,6 @@
 #include "core/photo/decode.h"
 #include "frame_times.h"
 #include "run_or_explain.h"
-
 
 namespace bosk {
 namespace {
@@ -39,8 +38,9 @@ TruePhoto photo_of(const std::filesystem::path& folder, const json& entry) {
   for (const json& ball : entry["markers"])
     photo.balls.push_back({ball["name"],
                            {ball["x"], ball["y"]},
-                           ball.contains("visible_fraction") ? ball["visible_fraction"].get<double>()
-                                                             : ball["visible"].get<double>()});
+                           ball.contains("visible_fraction")
+                               ? ball["visible_fraction"].get<double>()
+                               : ball["visible"].get<double>()});
   return photo;
 }
 
@@ -55,7 +55,8 @@ std::vector<TruePhoto> read_truth(const std::filesystem::path& folder) {
 }
 
 struct Tally {
-  int shown = 0, found = 0, hidden_found = 0, extra = 0, named = 0, misnamed = 0, feet = 0;
+  int shown = 0, found = 0, hidden_found = 0, extra = 0, named = 0, misnamed = 0, unnamed = 0,
+      feet = 0;
   std::vector<double> errors, pulls;
 };
 
@@ -73,32 +74,37 @@ const TrueBall* true_ball(const TruePhoto& photo, const SightedBall& ball) {
 }
 
 void count(const TruePhoto& photo, std::span<const SightedBall> balls,
-           std::span<const std::string> names, std::map<std::string, std::string>& truth_of_name,
-           bool list, Tally& tally) {
+           std::span<const BallIdentity> identities,
+           std::map<std::string, std::string>& truth_of_name, bool list, Tally& tally) {
   for (const TrueBall& truth : photo.balls) tally.shown += truth.visible >= 0.5;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const SightedBall& ball = balls[i];
     const TrueBall* truth = true_ball(photo, ball);
     const double error = truth ? glm::distance(truth->pixel, ball.centre_px) : -1.0;
     if (list)
-      std::printf("  %s %-10s %-8s (%.1f %.1f) r %.2f sigma %.2f shows %.2f/%.2f error %.2f (%+.2f %+.2f) u %.0f %.0f c %.0f foot %.1f\n",
-                  photo.image.stem().c_str(), names[i].c_str(), truth ? truth->name.c_str() : "FALSE",
-                  ball.centre_px.x, ball.centre_px.y, ball.radius_px, ball.sigma_px, ball.visible,
-                  truth ? truth->visible : 0.0, error,
-                  truth ? ball.centre_px.x - truth->pixel.x : 0.0, truth ? ball.centre_px.y - truth->pixel.y : 0.0, double(ball.saturation.x),
-                  double(ball.saturation.y), ball.contrast,
-                  ball.foot ? (ball.foot->pixel.y - ball.centre_px.y) / ball.radius_px : 0.0);
+      std::printf(
+          "  %s %-10s %-8s (%.1f %.1f) r %.2f sigma %.2f shows %.2f/%.2f error %.2f (%+.2f %+.2f) "
+          "u %.0f %.0f c %.0f foot %.1f %.1f\n",
+          photo.image.stem().c_str(), identities[i].name.c_str(),
+          truth ? truth->name.c_str() : "FALSE", ball.centre_px.x, ball.centre_px.y, ball.radius_px,
+          ball.sigma_px, ball.visible, truth ? truth->visible : 0.0, error,
+          truth ? ball.centre_px.x - truth->pixel.x : 0.0,
+          truth ? ball.centre_px.y - truth->pixel.y : 0.0, double(ball.saturation.x),
+          double(ball.saturation.y), ball.contrast,
+          ball.foot && identities[i].foot_counts ? ball.foot->pixel.x : 0.0,
+          ball.foot ? ball.foot->pixel.y : 0.0);
     if (!truth) {
       ++tally.extra;
-      tally.named += !names[i].empty();
+      tally.named += !identities[i].name.empty();
       continue;
     }
     (truth->visible >= 0.5 ? tally.found : tally.hidden_found) += 1;
-    tally.feet += ball.foot.has_value();
+    tally.feet += ball.foot && identities[i].foot_counts;
+    tally.unnamed += identities[i].name.empty();
     tally.errors.push_back(error);
     tally.pulls.push_back(error / (ball.sigma_px * std::sqrt(2.0)));
-    if (names[i].empty()) continue;
-    const auto known = truth_of_name.emplace(names[i], truth->name).first;
+    if (identities[i].name.empty()) continue;
+    const auto known = truth_of_name.emplace(identities[i].name, truth->name).first;
     tally.misnamed += known->second != truth->name;
   }
 }
@@ -121,23 +127,26 @@ void measure(const std::filesystem::path& folder, bool list) {
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     megapixels += 1e-6 * double(srgb.size());
   }
-  const BallNames names = name_balls(balls);
+  std::vector<std::string> photo_names;
+  for (const TruePhoto& photo : photos) photo_names.push_back(photo.image.stem());
+  const BallNames names = name_balls(balls, photo_names);
   Tally tally;
   std::map<std::string, std::string> truth_of_name;
   for (std::size_t i = 0; i < photos.size(); ++i)
-    count(photos[i], balls[i], names.names[i], truth_of_name, list, tally);
-  std::printf("%-24s %4d of %4d %5d %5d %5d %4d %6.3f %6.3f %6.3f %6.2f %7.3f %6.3f\n",
+    count(photos[i], balls[i], names.balls[i], truth_of_name, list, tally);
+  std::printf("%-24s %4d of %4d %5d %5d %5d %4d %4d %4d %6.3f %6.3f %6.3f %6.2f %7.3f %6.3f\n",
               folder.filename().c_str(), tally.found, tally.shown, tally.hidden_found, tally.extra,
-              tally.named, tally.misnamed, quantile(tally.errors, 0.5), quantile(tally.errors, 0.95),
-              quantile(tally.errors, 1.0), root_mean_square(tally.pulls),
-              seconds / double(photos.size()), seconds / megapixels);
+              tally.named, tally.misnamed, tally.unnamed, tally.feet, quantile(tally.errors, 0.5),
+              quantile(tally.errors, 0.95), quantile(tally.errors, 1.0),
+              root_mean_square(tally.pulls), seconds / double(photos.size()), seconds / megapixels);
   for (const std::string& sentence : names.sentences) std::printf("  %s\n", sentence.c_str());
 }
 
 int run(int count, char** arguments) {
   bool list = false;
-  std::printf("%-24s %12s %5s %5s %5s %4s %6s %6s %6s %6s %7s %6s\n", "capture", "shown found",
-              "+part", "false", "named", "mix", "median", "95 %", "most", "pull", "s/photo", "s/MP");
+  std::printf("%-24s %12s %5s %5s %5s %4s %4s %4s %6s %6s %6s %6s %7s %6s\n", "capture",
+              "shown found", "+part", "false", "named", "mix", "left", "feet", "median", "95 %",
+              "most", "pull", "s/photo", "s/MP");
   for (int i = 1; i < count; ++i) {
     if (std::string(arguments[i]) == "--list")
       list = true;

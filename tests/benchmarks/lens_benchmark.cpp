@@ -9,6 +9,7 @@
 
 #include "core/calibrate/lens_pictures.h"
 #include "core/calibrate/lens_solve.h"
+#include "core/geometry/rotation.h"
 #include "core/image/image_io.h"
 #include "core/photo/child_mode.h"
 #include "core/photo/decode.h"
@@ -186,9 +187,132 @@ int run_synthetic(int, char**) {
   return 0;
 }
 
+// Of the solved lens: where it sees what the true one sees at `pixel`, the mean turn of all boards
+// taken out, less `pixel`.
+glm::dvec2 seen_off(const Lens& truth, const LensCalibration& result,
+                    const std::vector<RigidTransform>& poses, const glm::dvec2& pixel) {
+  glm::dvec3 turn(0.0);
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    turn += rodrigues_from_rotation(result.boards[i].camera_from_board.rotation *
+                                    glm::transpose(poses[i].rotation)) /
+            double(poses.size());
+  const glm::dvec3 ray = camera_from_pixel(truth, pixel).value();
+  return pixel_from_camera(result.profile.lens, rotation_from_rodrigues(turn) * ray).value() -
+         pixel;
+}
+
+struct Spread {
+  double predicted_px = 0.0, found_px = 0.0;
+};
+
+// Over the frame and over seeds of noise; rms along an axis.
+Spread spread_over_noise(const Lens& lens, const char* model, int boards, double noise_px,
+                         int seeds) {
+  Progress quiet;
+  std::vector<RigidTransform> poses;
+  const SyntheticBoards what{.boards = boards, .noise_px = 0.0};
+  const auto exact = synthetic_views(lens, what, &poses);
+  Spread sum;
+  std::size_t count = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const auto views = with_noise(exact, noise_px, std::uint64_t(seed));
+    const LensCalibration result = calibrate_lens(views, what.shape, {.model = model}, quiet);
+    const Image<float>& sigma = result.profile.uncertainty_px;
+    for (int y = 0; y < sigma.height(); ++y)
+      for (int x = 0; x < sigma.width(); ++x, ++count) {
+        const glm::dvec2 size(lens.width_px, lens.height_px);
+        const glm::dvec2 cells(sigma.width(), sigma.height());
+        const glm::dvec2 pixel = (glm::dvec2(x, y) + 0.5) / cells * size - 0.5;
+        const glm::dvec2 off = seen_off(lens, result, poses, pixel);
+        sum.predicted_px += double(sigma(x, y)) * sigma(x, y);
+        sum.found_px += 0.5 * glm::dot(off, off);
+      }
+  }
+  return {std::sqrt(sum.predicted_px / double(count)), std::sqrt(sum.found_px / double(count))};
+}
+
+int run_spread(int count, char** arguments) {
+  const int seeds = count > 2 ? std::stoi(arguments[2]) : 50;
+  const Lens phone = phone_lens(4032, 3024), rational = rational_lens(4032, 3024);
+  std::printf(
+      "rms over the frame and %d seeds, px along an axis\n%-8s boards noise  predicted  found  "
+      "ratio\n",
+      seeds, "model");
+  for (const int boards : {6, 12, 24})
+    for (const char* model : {"opencv4", "opencv8"}) {
+      const Lens& lens = std::string(model) == "opencv8" ? rational : phone;
+      const Spread spread = spread_over_noise(lens, model, boards, 0.2, seeds);
+      std::printf("%-8s %6d %5.1f %10.4f %6.4f %6.2f\n", model, boards, 0.2, spread.predicted_px,
+                  spread.found_px, spread.predicted_px / spread.found_px);
+    }
+  return 0;
+}
+
+void find_row(const char* name, const BoardShape& shape, int width_px, const glm::dvec3& turn,
+              double distance_m, const BoardPaint& paint = {}) {
+  Progress quiet;
+  const Lens lens = phone_lens(width_px, width_px * 3 / 4);
+  const RigidTransform pose =
+      board_pose(shape, lens, turn, {0.47 * lens.width_px, 0.5 * lens.height_px}, distance_m);
+  const Image<std::uint8_t> picture = paint_board(shape, lens, pose, paint);
+  const auto truth = true_corners(shape, lens, pose);
+  const Stopwatch watch;
+  const auto found = find_board(picture, shape, quiet);
+  const double cpu_s = watch.cpu_s(), wall_s = watch.wall_s();
+  double squares = 0.0, worst = 0.0;
+  for (const BoardCorner& corner : found)
+    for (const BoardCorner& other : truth) {
+      if (corner.column != other.column || corner.row != other.row) continue;
+      const double off = glm::distance(corner.pixel, other.pixel);
+      squares += off * off;
+      worst = std::max(worst, off);
+    }
+  const double rms = found.empty() ? 0.0 : std::sqrt(squares / (2.0 * double(found.size())));
+  std::printf("%-36s %6.1f %5zu/%-5zu %7.3f %7.3f %7.2f %7.2f\n", name,
+              width_px * 1e-6 * lens.height_px, found.size(), truth.size(), rms, worst, cpu_s,
+              wall_s);
+}
+
+int run_find(int, char**) {
+  const BoardShape nine{}, ten{BoardKind::chessboard, 10, 10, 0.03},
+      charuco{BoardKind::charuco, 8, 5, 0.03};
+  const glm::dvec3 tilted(0.5, -0.4, 0.2);
+  std::printf("%-36s     MP     found  rms px  max px   CPU s  wall s\n", "");
+  find_row("9 x 6, from the front", nine, 1414, glm::dvec3(0.0), 0.35);
+  find_row("9 x 6, tilted", nine, 1414, tilted, 0.35);
+  find_row("9 x 6, lit unevenly", nine, 1414, tilted, 0.35, {.lit_unevenly = 0.7});
+  find_row("9 x 6, blur 2 px, noise 8", nine, 1414, tilted, 0.35, {.blur_px = 2.0, .noise = 8.0});
+  find_row("9 x 6, far away", nine, 1414, tilted, 1.6);
+  find_row("10 x 10 (mrgingham), tilted", ten, 1414, tilted, 0.55);
+  find_row("ChArUco 8 x 5, tilted", charuco, 1414, tilted, 0.3);
+  for (const int width : {4032, 5656}) {
+    find_row("9 x 6, tilted", nine, width, tilted, 0.35);
+    find_row("9 x 6, far away", nine, width, tilted, 5.0);
+    find_row("10 x 10 (mrgingham), tilted", ten, width, tilted, 0.55);
+    find_row("ChArUco 8 x 5, tilted", charuco, width, tilted, 0.3);
+    find_row("none in sight", nine, width, tilted, 300.0);
+  }
+  return 0;
+}
+
+int print_help() {
+  std::printf(
+      "lens_benchmark                                         synthetic boards: time and accuracy\n"
+      "lens_benchmark FOLDER COLUMNSxROWS [SQUARE_M [OUT]]    photos of a chessboard; pictures to "
+      "OUT\n"
+      "lens_benchmark spread [SEEDS]                          predicted uncertainty beside the "
+      "spread\n"
+      "lens_benchmark find                                    painted boards, 1.5 to 24 "
+      "megapixels\n");
+  return 0;
+}
+
 int run_lens(int count, char** arguments) {
-  if (count >= 3) return run_folder(count, arguments);
-  return run_synthetic(count, arguments);
+  const std::string first = count > 1 ? arguments[1] : "";
+  if (first == "--help") return print_help();
+  if (first == "spread") return run_spread(count, arguments);
+  if (first == "find") return run_find(count, arguments);
+  return count > 2 ? run_folder(count, arguments) : run_synthetic(count, arguments);
 }
 
 }  // namespace

@@ -67,6 +67,10 @@ void add(const Orbit& orbit, const Solved& solved, Tally& tally) {
     const bool placed = finding.fate == PhotoFate::placed;
     ++(placed ? tally.placed : tally.uncertain);
     tally.silent += placed && errors.crown_px[i] > 2.0 ? 1 : 0;
+    if (verbose && placed && errors.crown_px[i] > 2.0)
+      std::printf("  %s: %.2f px at the crown, sigma %.2f, %d sightings, %d left out\n",
+                  finding.photo.c_str(), errors.crown_px[i], finding.crown_sigma_px,
+                  finding.sightings, finding.outliers);
     tally.crown_px.push_back(errors.crown_px[i]);
     tally.sigma_px.push_back(finding.crown_sigma_px);
   }
@@ -123,8 +127,7 @@ void walks(int seeds) {
   const std::vector<Kind> kinds = {
       {"reversed", {.turns = -1.0}},
       {"uneven to 30 degrees, 30 % of radius", {.jitter_deg = 30.0, .radius_jitter = 0.3}},
-      {"reversed and uneven",
-       {.turns = -1.0, .jitter_deg = 30.0, .radius_jitter = 0.3}},
+      {"reversed and uneven", {.turns = -1.0, .jitter_deg = 30.0, .radius_jitter = 0.3}},
       {"half circle", {.turns = 0.5}},
       {"half circle reversed, uneven", {.turns = -0.5, .jitter_deg = 15.0}},
       {"quarter circle", {.turns = 0.25}},

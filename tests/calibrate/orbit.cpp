@@ -20,10 +20,10 @@ const char* const kColours[] = {"red",  "green",  "blue",  "yellow", "pink",   "
 Lens orbit_lens(double distortion) {
   Lens lens;
   lens.model = distortion == 0.0 ? LensModel::pinhole : LensModel::opencv;
-  lens.width_px = 1414;
-  lens.height_px = 1061;
-  lens.focal_px = {1067.0, 1067.3};
-  lens.principal_px = {712.0, 525.5};
+  lens.width_px = 3264;
+  lens.height_px = 2448;
+  lens.focal_px = {2463.0, 2463.7};
+  lens.principal_px = {1643.0, 1213.0};
   lens.distortion = {distortion, -0.3 * distortion, 0.002 * distortion, 0.003 * distortion};
   return lens;
 }
@@ -41,11 +41,9 @@ Camera looking_at(const Lens& lens, const std::string& name, const dvec3& place,
 
 void add_markers(const OrbitOptions& options, Random& random, Orbit& orbit) {
   for (int i = 0; i < options.markers; ++i) {
-    const double angle =
-        2.0 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / options.markers;
+    const double angle = 2.0 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / options.markers;
     const double radius = random.uniform(0.7, 2.4);
-    const dvec3 ball(radius * std::cos(angle), radius * std::sin(angle),
-                     random.uniform(0.4, 1.9));
+    const dvec3 ball(radius * std::cos(angle), radius * std::sin(angle), random.uniform(0.4, 1.9));
     const std::string name = i < 12 ? kColours[i] : "marker " + std::to_string(i);
     orbit.names.push_back(name);
     orbit.points.push_back(ball);
@@ -63,9 +61,9 @@ void add_cameras(const OrbitOptions& options, Random& random, Orbit& orbit) {
     const double radius =
         options.radius_m * (1.0 + random.uniform(-options.radius_jitter, options.radius_jitter));
     const bool high = options.second_height_m > 0.0 && i % 2 == 1;
-    const dvec3 place(radius * std::cos(angle), radius * std::sin(angle),
-                      (high ? options.second_height_m : options.eye_m) +
-                          random.uniform(-0.05, 0.05));
+    const dvec3 place(
+        radius * std::cos(angle), radius * std::sin(angle),
+        (high ? options.second_height_m : options.eye_m) + random.uniform(-0.05, 0.05));
     const dvec3 target = kCrown + dvec3(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3),
                                         random.uniform(-0.3, 0.3));
     orbit.cameras.push_back(looking_at(orbit.lens, orbit_photo_name(i), place, target,
@@ -162,16 +160,20 @@ OrbitErrors orbit_errors(const Orbit& orbit, const Calibration& calibration) {
     const auto same = std::find_if(orbit.cameras.begin(), orbit.cameras.end(),
                                    [&](const Camera& c) { return c.name == camera.name; });
     true_cameras.push_back(&*same);
+    if (finding_of(calibration, camera.name).fate != PhotoFate::placed) continue;
     found.push_back(camera.centre_in_world());
     truth.push_back(same->centre_in_world());
   }
   const Similarity truth_from_found = fit_similarity(found, truth);
+  const std::size_t points = calibration.points.size();
+  const Similarity by_points =
+      fit_similarity(std::span(found).first(points), std::span(truth).first(points));
   OrbitErrors errors;
-  errors.scale_error = truth_from_found.scale - 1.0;
+  errors.scale_error = by_points.scale - 1.0;
   std::vector<double> marker_errors;
   double squares = 0.0;
   for (std::size_t i = 0; i < calibration.points.size(); ++i) {
-    marker_errors.push_back(glm::distance(truth_from_found * found[i], truth[i]));
+    marker_errors.push_back(glm::distance(by_points * found[i], truth[i]));
     squares += marker_errors.back() * marker_errors.back();
   }
   errors.marker_rms_m = std::sqrt(squares / double(marker_errors.size()));

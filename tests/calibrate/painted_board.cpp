@@ -43,6 +43,9 @@ class BoardFace {
     return shape_.kind == BoardKind::charuco ? marker_grey(column, row, at) : kLight;
   }
 
+  // Whether a square has one grey: no markers.
+  bool is_plain() const { return markers_.empty(); }
+
  private:
   bool dark(int column, int row) const { return ((column + row) % 2 == 0) == dark_first_; }
   cv::Mat& marker(int column, int row) {
@@ -74,9 +77,18 @@ std::optional<dvec2> plane_point(const BoardShape& shape, const Lens& lens,
   return dvec2(board_from_camera.translation + along * direction) / shape.square_m + 1.0;
 }
 
+// Whether no edge of the board's pattern can pass between the plane points of a pixel's corners.
+bool inside_one_square(const dvec2& corner, const dvec2& right, const dvec2& down, bool plain) {
+  constexpr double kMargin = 1e-6;
+  const dvec2 low = glm::min(corner, glm::min(right, glm::min(down, right + down - corner)));
+  const dvec2 high = glm::max(corner, glm::max(right, glm::max(down, right + down - corner)));
+  return plain && glm::floor(low - kMargin) == glm::floor(high + kMargin);
+}
+
 // Mean over the pixel, whose plane coordinates are taken as linear within it.
 double pixel_grey(const BoardFace& face, const dvec2& corner, const dvec2& right,
                   const dvec2& down) {
+  if (inside_one_square(corner, right, down, face.is_plain())) return face.grey(corner);
   double sum = 0.0;
   for (int j = 0; j < kSamples; ++j)
     for (int i = 0; i < kSamples; ++i)

@@ -79,6 +79,15 @@ std::vector<BoardView> synthetic_views(const Lens& lens, const SyntheticBoards& 
   return views;
 }
 
+std::vector<BoardView> with_noise(std::vector<BoardView> views, double noise_px,
+                                  std::uint64_t seed) {
+  Random random(seed, 3);
+  for (BoardView& view : views)
+    for (BoardCorner& corner : view.corners)
+      corner.pixel += noise_px * dvec2(random.normal(), random.normal());
+  return views;
+}
+
 LensDifference lens_difference(const Lens& truth, const Lens& other) {
   constexpr int kSteps = 16;
   std::vector<dvec3> in_truth, in_other;

@@ -24,6 +24,10 @@ struct SyntheticBoards {
 std::vector<BoardView> synthetic_views(const Lens& lens, const SyntheticBoards& what,
                                        std::vector<RigidTransform>* poses = nullptr);
 
+// The same views with Gaussian noise on every corner.
+std::vector<BoardView> with_noise(std::vector<BoardView> views, double noise_px,
+                                  std::uint64_t seed);
+
 // Largest and rms distance, over the frame, between where the two lenses see what the first sees at
 // a grid of pixels, once the second's camera is turned to agree best.
 struct LensDifference {

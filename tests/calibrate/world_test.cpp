@@ -1,0 +1,82 @@
+#include "core/calibrate/world.h"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/rotation.h"
+#include "orbit.h"
+#include "orbit_bundle.h"
+
+namespace bosk {
+namespace {
+
+// The truth in another frame and scale.
+OrbitBundle misplaced(const OrbitOptions& options = {.photos = 12, .gross = 0.0}) {
+  OrbitBundle bundle = orbit_bundle(make_orbit(options));
+  bundle.state =
+      moved(bundle.state, {0.37, rotation_from_rodrigues({0.7, -1.2, 2.0}), {5.0, -3.0, 1.0}});
+  return bundle;
+}
+
+glm::dvec3 true_point(int index, const OrbitOptions& options = {.photos = 12, .gross = 0.0}) {
+  return orbit_bundle(make_orbit(options)).state.points[std::size_t(index)];
+}
+
+TEST(PlaceInWorld, NothingMeasuredLeavesAllSevenMovesFree) {
+  OrbitBundle bundle = misplaced();
+  const Determined determined = place_in_world(bundle.problem, bundle.state);
+  EXPECT_EQ(determined.free.size(), 7u);
+  EXPECT_FALSE(determined.scale || determined.up || determined.ground || determined.place);
+  const glm::dvec3 crown = crown_point(bundle.state);
+  EXPECT_NEAR(crown.x, 0.0, 1e-9);
+  EXPECT_NEAR(crown.y, 0.0, 1e-9);
+  // Up from the cameras' plane: eye heights vary by 5 cm and the walk is 7 m wide.
+  EXPECT_GT((bundle.state.camera_from_world[0].rotation * glm::dvec3(0.0, 0.0, 1.0)).y, -1.0);
+}
+
+TEST(PlaceInWorld, ATapeGivesScaleAlone) {
+  OrbitBundle bundle = misplaced();
+  const double length = glm::distance(true_point(0), true_point(1));
+  bundle.problem.lengths = {{0, 1, length, 0.002, true}};
+  const Determined determined = place_in_world(bundle.problem, bundle.state);
+  EXPECT_TRUE(determined.scale);
+  EXPECT_FALSE(determined.up);
+  EXPECT_EQ(determined.free.size(), 6u);
+  EXPECT_NEAR(glm::distance(bundle.state.points[0], bundle.state.points[1]), length, 1e-6);
+}
+
+TEST(PlaceInWorld, ThreeHeightsAndATapeGiveUpAndGround) {
+  OrbitBundle bundle = misplaced();
+  bundle.problem.lengths = {{0, 1, glm::distance(true_point(0), true_point(1)), 0.002, true}};
+  for (const int i : {0, 2, 5})
+    bundle.problem.coordinates.push_back({i, 2, true_point(i).z, 0.005, true});
+  const Determined determined = place_in_world(bundle.problem, bundle.state);
+  EXPECT_TRUE(determined.scale && determined.up && determined.ground);
+  EXPECT_FALSE(determined.heading || determined.place);
+  for (int i = 0; i < 8; ++i)
+    EXPECT_NEAR(bundle.state.points[std::size_t(i)].z, true_point(i).z, 1e-4) << i;
+}
+
+TEST(PlaceInWorld, EqualHeightsGiveNoScale) {
+  OrbitBundle bundle = misplaced();
+  const OrbitBundle truth = orbit_bundle(make_orbit({.photos = 12, .gross = 0.0}));
+  for (int i = 0; i < 6; ++i)
+    bundle.state.points[std::size_t(i)] =
+        bundle.state.points[0] +
+        0.1 * double(i) * (bundle.state.points[std::size_t(i)] - bundle.state.points[0]);
+  for (int i = 0; i < 2; ++i) bundle.problem.coordinates.push_back({i, 2, 1.0, 0.005, true});
+  EXPECT_FALSE(place_in_world(bundle.problem, bundle.state).scale);
+}
+
+TEST(PlaceInWorld, SurveyedPointsGiveAll) {
+  OrbitBundle bundle = misplaced();
+  for (const int i : {0, 3, 6})
+    for (int axis = 0; axis < 3; ++axis)
+      bundle.problem.coordinates.push_back({i, axis, true_point(i)[axis], 0.005, true});
+  const Determined determined = place_in_world(bundle.problem, bundle.state);
+  EXPECT_TRUE(determined.free.empty());
+  for (int i = 0; i < 8; ++i)
+    EXPECT_LT(glm::distance(bundle.state.points[std::size_t(i)], true_point(i)), 1e-4) << i;
+}
+
+}  // namespace
+}  // namespace bosk
