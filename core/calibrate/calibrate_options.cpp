@@ -52,7 +52,9 @@ Options feature_options(CalibrateOptions& o) {
                  o.feature.features_per_photo, 100, 20000),
           number("match_ratio", "", "how much better the best match must be than the second best",
                  o.feature.ratio, 0.5, 1),
-          number("seed", "", "of the random choices; any number", o.feature.seed, 0, 1e9)};
+          number("tracks_per_photo", "",
+                 "features seen in several photos to keep of a photo, the longest",
+                 o.feature.tracks_per_photo, 50, 5000)};
 }
 
 Options lens_options(CalibrateOptions& o) {

@@ -43,6 +43,14 @@ auto read_list(BinaryReader& reader, ReadItem read_item) {
   return items;
 }
 
+// One of an enumeration's first `count` values.
+template <class Kind>
+Kind read_kind(BinaryReader& reader, std::uint8_t count) {
+  const auto value = reader.value<std::uint8_t>();
+  if (value >= count) throw Error("there is no such kind");
+  return Kind(value);
+}
+
 // All of the bytes. Throws Error when something is left.
 template <class T, class Read>
 T read_all(std::span<const std::byte> bytes, Read read_result) {

@@ -46,9 +46,9 @@ std::vector<PhotoFinds> readable(std::vector<PhotoFinds> all, CalibrationFinds& 
               printable(first.photo) + ": " + first.reason);
 }
 
-PhotoSightings sightings_of(const PhotoFinds& photo, const std::vector<std::string>& ball_names) {
+PhotoSightings sightings_of(const PhotoFinds& photo, const std::vector<BallIdentity>& balls) {
   PhotoSightings seen{photo.name, photo.width_px, photo.height_px, photo.exif_focal_px, {}, {}};
-  append(ball_sightings(photo.balls, ball_names), seen.sightings);
+  append(ball_sightings(photo.balls, balls), seen.sightings);
   append(tag_sightings(photo.tags), seen.sightings);
   append(board_sightings(photo.corners), seen.sightings);
   return seen;
@@ -56,11 +56,15 @@ PhotoSightings sightings_of(const PhotoFinds& photo, const std::vector<std::stri
 
 void name_points(const std::vector<PhotoFinds>& photos, CalibrationFinds& finds) {
   std::vector<std::vector<SightedBall>> balls;
-  for (const PhotoFinds& photo : photos) balls.push_back(photo.balls);
-  const BallNames named = name_balls(balls);
+  std::vector<std::string> names;
+  for (const PhotoFinds& photo : photos) {
+    balls.push_back(photo.balls);
+    names.push_back(photo.name);
+  }
+  const BallNames named = name_balls(balls, names);
   append(named.sentences, finds.sentences);
   for (std::size_t i = 0; i < photos.size(); ++i) {
-    finds.photos.push_back(sightings_of(photos[i], named.names[i]));
+    finds.photos.push_back(sightings_of(photos[i], named.balls[i]));
   }
 }
 

@@ -1,8 +1,5 @@
 #include "core/project/calibration_report.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
@@ -14,6 +11,7 @@
 #include "core/image/image_io.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/camera_wheel.h"
+#include "core/project/each_photo.h"
 #include "core/project/html.h"
 #include "core/project/reshoot.h"
 
@@ -143,11 +141,8 @@ std::vector<std::vector<std::byte>> small_jpegs(const CalibrationSources& source
                                                 Progress& progress) {
   progress.begin("drawing the report", sources.photos.size());
   std::vector<std::vector<std::byte>> all(sources.photos.size());
-  tbb::enumerable_thread_specific<PhotoDecoder> decoders(sources.limits);
-  tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
-    tbb::this_task_arena::isolate(
-        [&] { all[i] = small_jpeg(sources.photos[i], decoders.local(), progress); });
-    progress.advance();
+  for_each_photo(all.size(), sources.limits, progress, [&](std::size_t i, PhotoDecoder& decoder) {
+    all[i] = small_jpeg(sources.photos[i], decoder, progress);
   });
   return all;
 }

@@ -8,13 +8,6 @@ namespace {
 
 constexpr int kMaxMapEdge = 1 << 16;
 
-template <class Kind>
-Kind read_kind(BinaryReader& reader, std::uint8_t count) {
-  const auto value = reader.value<std::uint8_t>();
-  if (value >= count) throw Error("there is no such kind");
-  return Kind(value);
-}
-
 void write_sentences(BinaryWriter& writer, const std::vector<std::string>& sentences) {
   write_list(writer, sentences, write_text);
 }

@@ -103,14 +103,6 @@ void write(BinaryWriter& writer, const SetMeasurements& edit) {
   write(writer, edit.after);
 }
 
-// One of an enumeration's first `count` values.
-template <class Kind>
-Kind read_kind(BinaryReader& reader, std::uint8_t count) {
-  const auto value = reader.value<std::uint8_t>();
-  if (value >= count) throw Error("there is no such kind");
-  return Kind(value);
-}
-
 fs::path read_path(BinaryReader& reader) { return reader.text(); }
 
 Stroke read_stroke(BinaryReader& reader) {

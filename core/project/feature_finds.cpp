@@ -1,8 +1,5 @@
 #include "core/project/feature_finds.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -14,6 +11,7 @@
 #include "core/project/binary_items.h"
 #include "core/project/calibration_store.h"
 #include "core/project/capture.h"
+#include "core/project/each_photo.h"
 
 namespace bosk {
 namespace {
@@ -55,7 +53,7 @@ ContentHash key_of(const FeatureInput& input, const FeatureOptions& options) {
   hash_camera(hasher, {"", input.lens, {}});
   hasher.value(std::uint8_t(input.lens_known)).value(options.features_per_photo);
   hasher.value(options.ratio).value(options.largest_error_px);
-  hasher.value(options.fewest_matches).value(options.seed);
+  hasher.value(options.fewest_matches).value(options.tracks_per_photo);
   return hasher.finish();
 }
 
@@ -63,13 +61,9 @@ std::vector<Image<glm::vec3>> small_photos(const FeatureInput& input, const Deco
                                            Progress& progress) {
   progress.begin("reading photos for features", input.photos.size());
   std::vector<Image<glm::vec3>> images(input.photos.size());
-  tbb::enumerable_thread_specific<PhotoDecoder> decoders(limits);
-  tbb::parallel_for(std::size_t(0), images.size(), [&](std::size_t i) {
-    tbb::this_task_arena::isolate([&] {
-      const DecodedPhoto photo = decoders.local().decode(input.photos[i].path, progress);
-      images[i] = area_mean_srgb(srgb_of(photo), input.lens.width_px, input.lens.height_px);
-    });
-    progress.advance();
+  for_each_photo(images.size(), limits, progress, [&](std::size_t i, PhotoDecoder& decoder) {
+    const DecodedPhoto photo = decoder.decode(input.photos[i].path, progress);
+    images[i] = area_mean_srgb(srgb_of(photo), input.lens.width_px, input.lens.height_px);
   });
   return images;
 }

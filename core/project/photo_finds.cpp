@@ -1,9 +1,5 @@
 #include "core/project/photo_finds.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -11,14 +7,13 @@
 #include "core/photo/import.h"
 #include "core/photo/verdicts.h"
 #include "core/project/binary_items.h"
+#include "core/project/each_photo.h"
 
 namespace bosk {
 namespace {
 
 constexpr int kVersion = 1;  // raised whenever the same photo gives other finds
 constexpr const char* kEntry = "find";
-// A decoded photo takes 16 bytes a pixel: more at once would take memory, not time.
-constexpr int kMaxPhotosAtOnce = 8;
 constexpr int kFewestEntriesKept = 64;
 
 ContentHash key_of(const SourceFile& photo, const LookFor& wanted) {
@@ -105,18 +100,9 @@ std::vector<PhotoFinds> find_in_photos(const std::vector<SourceFile>& photos, co
                                        Progress& progress) {
   progress.begin("looking through photos", photos.size());
   std::vector<PhotoFinds> all(photos.size());
-  tbb::enumerable_thread_specific<PhotoDecoder> decoders(limits);
-  const int at_once = std::min(kMaxPhotosAtOnce, tbb::this_task_arena::max_concurrency());
-  tbb::task_arena arena(std::max(1, at_once));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
-      // Isolated, so that a thread that waits for a part of one photo doesn't begin another
-      tbb::this_task_arena::isolate([&] {
-        const auto kept = kept_finds(photos[i], wanted, cache);
-        all[i] = kept ? *kept : looked_at(photos[i], wanted, decoders.local(), cache, progress);
-      });
-      progress.advance();
-    });
+  for_each_photo(photos.size(), limits, progress, [&](std::size_t i, PhotoDecoder& decoder) {
+    const auto kept = kept_finds(photos[i], wanted, cache);
+    all[i] = kept ? *kept : looked_at(photos[i], wanted, decoder, cache, progress);
   });
   const int keep = std::max(kFewestEntriesKept, 8 * int(photos.size()));
   if (!photos.empty()) cache.forget_old(kEntry, key_of(photos.front(), wanted), keep);
