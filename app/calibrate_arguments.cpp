@@ -39,14 +39,15 @@ Measured measured(const std::string& option, const std::string& text) {
   std::string_view rest = text;
   Measured measured;
   const auto value = take_number(rest);
-  if (value) measured.value_m = *value;
-  if (value && rest.rfind("+-", 0) == 0) {
+  const bool has_tolerance = rest.rfind("+-", 0) == 0;
+  if (has_tolerance) {
     rest.remove_prefix(2);
     measured.sigma_m = take_number(rest);
   }
-  if (!value || !rest.empty()) {
+  if (!value || !rest.empty() || has_tolerance != measured.sigma_m.has_value()) {
     refuse(option, text, "give metres, such as 2.35 or 2.35+-0.005");
   }
+  measured.value_m = *value;
   return measured;
 }
 

@@ -20,28 +20,34 @@ bool seen_at(const Camera& camera, const glm::dvec3& point, const BundleSighting
   return pixel && glm::distance(*pixel, sighting.pixel) < sigmas * sighting.sigma_px;
 }
 
-std::vector<std::size_t> left_out_of(const BundleProblem& problem, int point) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < problem.sightings.size(); ++i)
-    if (problem.sightings[i].point == point && !problem.sightings[i].used) result.push_back(i);
+// Of each point, in the order of the photos.
+std::vector<std::vector<std::size_t>> left_out_by_point(const SolveInput& input) {
+  std::vector<std::vector<std::size_t>> result(input.points.size());
+  const auto& sightings = input.problem.sightings;
+  for (std::size_t i = 0; i < sightings.size(); ++i)
+    if (!sightings[i].used) result[std::size_t(sightings[i].point)].push_back(i);
   return result;
 }
 
 // Where the sightings that were left out see the point, if most of them, and three at least, agree.
-std::optional<glm::dvec3> other_place(const SolveInput& input, const BundleState& state, int point,
+std::optional<glm::dvec3> other_place(const SolveInput& input, const BundleState& state,
                                       const std::vector<std::size_t>& left_out, double loss_scale) {
-  BundleProblem others = input.problem;
-  for (BundleSighting& sighting : others.sightings) sighting.used = false;
-  for (const std::size_t i : left_out) others.sightings[i].used = true;
-  const SeedScene scene = seed_scene(others, state.intrinsics, camera_of(input, state, 0).lens,
-                                     input.cameras(), input.points.size());
+  BundleProblem alone;
+  for (const std::size_t i : left_out) {
+    alone.sightings.push_back(input.problem.sightings[i]);
+    alone.sightings.back().point = 0;
+    alone.sightings.back().used = true;
+  }
+  const SeedScene scene =
+      seed_scene(alone, state.intrinsics, camera_of(input, state, 0).lens, input.cameras(), 1);
   const PartialScene cameras{{state.camera_from_world.begin(), state.camera_from_world.end()}, {}};
-  const auto place = seed_point(scene, cameras, std::size_t(point));
+  const auto place = seed_point(scene, cameras, 0);
   if (!place) return std::nullopt;
-  const auto agreeing = std::count_if(left_out.begin(), left_out.end(), [&](std::size_t i) {
-    const BundleSighting& sighting = others.sightings[i];
-    return seen_at(camera_of(input, state, sighting.camera), *place, sighting, 2.0 * loss_scale);
-  });
+  const auto agreeing = std::count_if(alone.sightings.begin(), alone.sightings.end(),
+                                      [&](const BundleSighting& sighting) {
+                                        return seen_at(camera_of(input, state, sighting.camera),
+                                                       *place, sighting, 2.0 * loss_scale);
+                                      });
   if (agreeing < 3 || 3 * agreeing < 2 * long(left_out.size())) return std::nullopt;
   return place;
 }
@@ -73,17 +79,18 @@ std::vector<std::string> moved_points(const SolveInput& input, const BundleState
                                       std::span<const PhotoSightings> photos, double loss_scale,
                                       bool scale_known) {
   std::vector<std::string> sentences;
-  for (int point = 0; point < int(input.points.size()); ++point) {
-    const auto left_out = left_out_of(input.problem, point);
+  const auto all_left_out = left_out_by_point(input);
+  for (std::size_t point = 0; point < input.points.size(); ++point) {
+    const auto& left_out = all_left_out[point];
     if (left_out.size() < 3) continue;
-    const auto place = other_place(input, state, point, left_out, loss_scale);
+    const auto place = other_place(input, state, left_out, loss_scale);
     if (!place) continue;
     const auto photo_of = [&](std::size_t sighting) {
       const auto camera = std::size_t(input.problem.sightings[sighting].camera);
       return photos[input.photo_of_camera[camera]].photo;
     };
-    const double distance = glm::distance(*place, state.points[std::size_t(point)]);
-    const std::string& name = input.points[std::size_t(point)];
+    const double distance = glm::distance(*place, state.points[point]);
+    const std::string& name = input.points[point];
     sentences.push_back(name + " was moved between the photos: " + std::to_string(left_out.size()) +
                         " of them, from " + photo_of(left_out.front()) + " to " +
                         photo_of(left_out.back()) + ", see it " +

@@ -6,7 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 
-#include "core/base/error.h"
+#include "core/calibrate/grey_image.h"
 
 namespace bosk {
 namespace {
@@ -16,17 +16,6 @@ constexpr int kStrongest = 600;        // features that other photos are tried w
 constexpr std::size_t kPromising = 8;  // matches among these that are worth a full look
 
 using Descriptors = Eigen::Matrix<float, Eigen::Dynamic, 128, Eigen::RowMajor>;
-
-cv::Mat grey_of(const Image<glm::vec3>& srgb) {
-  cv::Mat grey(srgb.height(), srgb.width(), CV_8U);
-  for (int y = 0; y < srgb.height(); ++y)
-    for (int x = 0; x < srgb.width(); ++x) {
-      const glm::vec3& value = srgb(x, y);
-      const float luma = 0.299f * value.x + 0.587f * value.y + 0.114f * value.z;
-      grey.at<std::uint8_t>(y, x) = std::uint8_t(std::clamp(luma, 0.0f, 1.0f) * 255.0f + 0.5f);
-    }
-  return grey;
-}
 
 cv::Mat mask_of(const FeaturePhoto& photo) {
   if (!photo.mask) return {};

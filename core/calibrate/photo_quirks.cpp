@@ -11,21 +11,31 @@ std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + " x " + std::to_string(height_px);
 }
 
-// Whether `copy` repeats the sightings of `photo` with less than half of their noise.
-bool is_copy(const PhotoSightings& photo, const PhotoSightings& copy) {
-  std::map<std::string, const Sighting*> seen;
-  for (const Sighting& sighting : photo.sightings) seen[sighting.point] = &sighting;
+using SightingsByPoint = std::map<std::string, const Sighting*>;
+
+SightingsByPoint by_point(const PhotoSightings& photo) {
+  SightingsByPoint result;
+  for (const Sighting& sighting : photo.sightings) result[sighting.point] = &sighting;
+  return result;
+}
+
+// Whether `copy` repeats the sightings of a photo with less than half of their noise. The first few
+// dozen tell.
+bool is_copy(const SightingsByPoint& photo, const PhotoSightings& copy) {
+  constexpr std::size_t kTelling = 40;
+  const std::size_t asked = std::min(copy.sightings.size(), kTelling);
   double sum = 0.0;
   std::size_t common = 0;
-  for (const Sighting& sighting : copy.sightings) {
-    const auto other = seen.find(sighting.point);
-    if (other == seen.end()) continue;
+  for (std::size_t i = 0; i < asked; ++i) {
+    const Sighting& sighting = copy.sightings[i];
+    const auto other = photo.find(sighting.point);
+    if (other == photo.end()) continue;
     const glm::dvec2 apart = (sighting.pixel - other->second->pixel) / sighting.sigma_px;
     sum += glm::dot(apart, apart);
     ++common;
   }
-  const std::size_t most = std::max(photo.sightings.size(), copy.sightings.size());
-  return common >= 4 && 5 * common >= 4 * most && sum < 2.0 * 0.25 * double(common);
+  const bool as_many = 5 * copy.sightings.size() >= 4 * photo.size();
+  return as_many && common >= 4 && 5 * common >= 4 * asked && sum < 2.0 * 0.25 * double(common);
 }
 
 // Distance in sigmas of the points from the line through a and b that half of them keep within.
@@ -70,9 +80,11 @@ void refuse_other_sizes(std::span<const PhotoSightings> photos, const Lens& lens
 }
 
 void refuse_copies(std::span<const PhotoSightings> photos, std::vector<std::string>& refused) {
+  std::vector<SightingsByPoint> earlier;
   for (std::size_t i = 0; i < photos.size(); ++i) {
+    earlier.push_back(by_point(photos[i]));
     for (std::size_t j = 0; j < i && refused[i].empty(); ++j)
-      if (refused[j].empty() && is_copy(photos[j], photos[i]))
+      if (refused[j].empty() && is_copy(earlier[j], photos[i]))
         refused[i] = "is a copy of " + photos[j].photo + ", and tells nothing new: leave it out";
   }
 }

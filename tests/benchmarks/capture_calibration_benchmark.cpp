@@ -3,7 +3,9 @@
 //   --out FILE           where to write the cameras (transforms.json)
 //   --truth FILE         the true cameras: errors are printed after the best similarity
 //   --heights a=0.5,...  heights of balls above the ground, metres: scale and up
-//   --no-balls, --no-features, --no-feet
+//   --tags DICTIONARY,COLUMNS,ROWS,SIDE,SEPARATION   a printed board of tags, metres
+//   --known-lens         take the lens of the true cameras as known
+//   --no-balls, --no-feet, --no-features; --list prints each photo and point
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -15,6 +17,7 @@
 #include "core/calibrate/features.h"
 #include "core/calibrate/identify.h"
 #include "core/calibrate/solve.h"
+#include "core/calibrate/tags.h"
 #include "core/geometry/rotation.h"
 #include "core/geometry/similarity.h"
 #include "core/photo/camera_files.h"
@@ -30,7 +33,9 @@ namespace {
 struct Arguments {
   std::filesystem::path photos, out, truth;
   std::vector<Height> heights;
-  bool balls = true, feet = true, features = true, list = false;
+  std::string tag_dictionary;
+  TagBoard tag_board;
+  bool known_lens = false, balls = true, feet = true, features = true, list = false;
 };
 
 std::vector<Height> read_heights(const std::string& text) {
@@ -44,6 +49,16 @@ std::vector<Height> read_heights(const std::string& text) {
   return heights;
 }
 
+void read_tags(const std::string& text, Arguments& arguments) {
+  std::stringstream parts(text);
+  TagBoard& board = arguments.tag_board;
+  char comma = 0;
+  std::getline(parts, arguments.tag_dictionary, ',');
+  parts >> board.columns >> comma >> board.rows >> comma >> board.side_m >> comma >>
+      board.separation_m;
+  if (!parts) throw Error("--tags: " + text + " is not DICTIONARY,COLUMNS,ROWS,SIDE,SEPARATION");
+}
+
 Arguments read_arguments(int count, char** texts) {
   Arguments arguments;
   for (int i = 1; i < count; ++i) {
@@ -55,6 +70,10 @@ Arguments read_arguments(int count, char** texts) {
       arguments.truth = next();
     else if (text == "--heights")
       arguments.heights = read_heights(next());
+    else if (text == "--tags")
+      read_tags(next(), arguments);
+    else if (text == "--known-lens")
+      arguments.known_lens = true;
     else if (text == "--no-balls")
       arguments.balls = false;
     else if (text == "--no-feet")
@@ -162,12 +181,12 @@ void score(const std::vector<Camera>& found, const std::filesystem::path& truth_
       truth[0].lens.focal_px.x);
 }
 
-FeatureSightings add_features(const Loaded& loaded, std::vector<PhotoSightings>& photos,
-                              Progress& progress) {
+FeatureSightings add_features(const Loaded& loaded, const Lens& lens, bool lens_known,
+                              std::vector<PhotoSightings>& photos, Progress& progress) {
   std::vector<FeaturePhoto> input;
   for (std::size_t i = 0; i < loaded.names.size(); ++i)
     input.push_back({loaded.names[i], &loaded.srgb[i], nullptr});
-  FeatureSightings found = find_features(input, loaded.lens, false, {}, progress);
+  FeatureSightings found = find_features(input, lens, lens_known, {}, progress);
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const auto& more = found.photos[i].sightings;
     photos[i].sightings.insert(photos[i].sightings.end(), more.begin(), more.end());
@@ -177,9 +196,26 @@ FeatureSightings add_features(const Loaded& loaded, std::vector<PhotoSightings>&
   return found;
 }
 
+void add_tags(const Loaded& loaded, const Arguments& arguments,
+              std::vector<PhotoSightings>& photos) {
+  const Progress progress;
+  const TagBoard& board = arguments.tag_board;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    auto tags = find_tags(loaded.srgb[i], arguments.tag_dictionary, progress);
+    std::erase_if(tags, [&](const SightedTag& tag) {
+      return tag.id < board.first_id || tag.id >= board.first_id + board.columns * board.rows;
+    });
+    const auto sightings = tag_sightings(tags);
+    photos[i].sightings.insert(photos[i].sightings.end(), sightings.begin(), sightings.end());
+    std::printf("  %s: %zu tags\n", photos[i].photo.c_str(), tags.size());
+  }
+}
+
 Survey survey_of(const Arguments& arguments) {
   Survey survey;
   survey.heights = arguments.heights;
+  if (!arguments.tag_dictionary.empty())
+    survey.bodies.push_back(tag_board_body(arguments.tag_board));
   if (!arguments.feet) return survey;
   for (const Height& height : arguments.heights) {
     survey.heights.push_back({foot_name(height.point), 0.0, 0.01});
@@ -215,11 +251,18 @@ int run(int count, char** texts) {
   const auto start = Clock::now();
   if (arguments.balls) add_balls(loaded, arguments.feet, photos);
   std::printf("time: balls %.2f s\n", 1e-3 * ms_since(start));
+  const auto tagging = Clock::now();
+  if (!arguments.tag_dictionary.empty()) {
+    add_tags(loaded, arguments, photos);
+    std::printf("time: tags %.2f s\n", 1e-3 * ms_since(tagging));
+  }
+  const Lens lens = arguments.known_lens ? read_cameras(arguments.truth)[0].lens : loaded.lens;
   Progress progress;
   SolveOptions options;
   const auto matching = Clock::now();
   if (arguments.features) {
-    const FeatureSightings found = add_features(loaded, photos, progress);
+    const FeatureSightings found =
+        add_features(loaded, lens, arguments.known_lens, photos, progress);
     for (std::size_t i = 0; i < photos.size(); ++i)
       if (found.camera_from_world[i])
         options.first_poses.push_back({photos[i].photo, *found.camera_from_world[i]});
@@ -234,7 +277,7 @@ int run(int count, char** texts) {
   }
   const auto solving = Clock::now();
   const Calibration calibration =
-      solve_cameras(photos, survey_of(arguments), {loaded.lens, false}, options, progress);
+      solve_cameras(photos, survey_of(arguments), {lens, arguments.known_lens}, options, progress);
   std::printf("time: solve %.2f s\n", 1e-3 * ms_since(solving));
   print(calibration, arguments.list);
   if (!arguments.out.empty() && !calibration.cameras.empty())

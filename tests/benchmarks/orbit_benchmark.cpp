@@ -1,22 +1,27 @@
 // orbit_benchmark: accuracy and CPU time of finding cameras from markers, on walks whose truth is
 // known.
 //
-//   orbit_benchmark [--seeds=50] [--table=all|neat|uncertainty|walks|hostile] [--verbose]
+//   orbit_benchmark [--seeds=50] [--table=all|neat|walks|uncertainty|features] [--verbose]
 //
 // Every solve starts from sightings alone. Errors are after the similarity that fits best; CPU time
 // counts all threads.
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/calibrate/solve.h"
+#include "core/calibrate/uncertainty.h"
 #include "orbit.h"
+#include "orbit_bundle.h"
 
 namespace bosk {
 namespace {
@@ -45,9 +50,27 @@ Solved solve(const Orbit& orbit, const Survey& survey, bool lens_known, double f
 
 // What many solves of one kind of walk came to.
 struct Tally {
-  int runs = 0, refused = 0, photos = 0, placed = 0, uncertain = 0, silent = 0;
-  std::vector<double> marker_m, worst_crown_px, crown_px, sigma_px, cpu_s, scale_error;
+  int runs = 0, refused = 0, photos = 0, placed = 0, uncertain = 0;
+  int over_2px = 0;    // placed photos whose crown is off by more
+  int silent = 0;      // of them, those beyond four of their sigmas
+  int bad_solves = 0;  // accepted solves with more than 2 px, root mean square over placed photos
+  std::vector<double> marker_m, solve_crown_px, crown_px, in_sigmas, cpu_s;
 };
+
+void add_photo(const PhotoFinding& finding, double crown_px, Tally& tally) {
+  const bool placed = finding.fate == PhotoFate::placed;
+  ++(placed ? tally.placed : tally.uncertain);
+  if (!placed) return;
+  tally.crown_px.push_back(crown_px);
+  tally.in_sigmas.push_back(crown_px / finding.crown_sigma_px);
+  tally.over_2px += crown_px > 2.0 ? 1 : 0;
+  if (crown_px > std::max(2.0, 4.0 * finding.crown_sigma_px)) {
+    ++tally.silent;
+    std::printf("  %s: %.2f px at the crown, sigma %.2f, %d sightings, %d left out\n",
+                finding.photo.c_str(), crown_px, finding.crown_sigma_px, finding.sightings,
+                finding.outliers);
+  }
+}
 
 void add(const Orbit& orbit, const Solved& solved, Tally& tally) {
   ++tally.runs;
@@ -59,38 +82,37 @@ void add(const Orbit& orbit, const Solved& solved, Tally& tally) {
   }
   const OrbitErrors errors = orbit_errors(orbit, solved.calibration);
   tally.marker_m.push_back(errors.marker_median_m);
-  tally.worst_crown_px.push_back(errors.worst_crown_px);
-  tally.scale_error.push_back(std::abs(errors.scale_error));
-  for (std::size_t i = 0; i < errors.crown_px.size(); ++i) {
-    const PhotoFinding& finding =
-        finding_of(solved.calibration, solved.calibration.cameras[i].name);
-    const bool placed = finding.fate == PhotoFate::placed;
-    ++(placed ? tally.placed : tally.uncertain);
-    tally.silent += placed && errors.crown_px[i] > 2.0 ? 1 : 0;
-    if (verbose && placed && errors.crown_px[i] > 2.0)
-      std::printf("  %s: %.2f px at the crown, sigma %.2f, %d sightings, %d left out\n",
-                  finding.photo.c_str(), errors.crown_px[i], finding.crown_sigma_px,
-                  finding.sightings, finding.outliers);
-    tally.crown_px.push_back(errors.crown_px[i]);
-    tally.sigma_px.push_back(finding.crown_sigma_px);
-  }
+  tally.solve_crown_px.push_back(errors.crown_rms_px);
+  tally.bad_solves += errors.crown_rms_px > 2.0 ? 1 : 0;
+  for (std::size_t i = 0; i < errors.crown_px.size(); ++i)
+    add_photo(finding_of(solved.calibration, solved.calibration.cameras[i].name),
+              errors.crown_px[i], tally);
 }
 
 void print_header() {
-  std::printf("%-44s %6s %12s %6s %8s %8s %7s %7s %6s %6s\n", "walk", "solved", "placed photos",
-              "unsure", "marker", "marker", "crown", "crown", "over", "CPU s");
-  std::printf("%-44s %6s %12s %6s %8s %8s %7s %7s %6s %6s\n", "", "", "of all", "", "median",
-              "worst", "px med", "px max", "2 px", "median");
+  std::printf("%-44s %6s %13s %6s %16s %23s %7s %6s %6s %6s\n", "", "", "photos", "",
+              "marker error mm", "crown error px", "in its", "photos", "beyond", "CPU s");
+  std::printf("%-44s %6s %13s %6s %8s %7s %7s %7s %7s %7s %6s %6s %6s\n", "walk", "solved",
+              "placed", "unsure", "median", "worst", "median", "worst", "bad", "sigmas", "> 2 px",
+              "4 sigm", "median");
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0.0 : std::sqrt(sum / double(values.size()));
+}
+
+double worst(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
 void print(const std::string& name, const Tally& tally) {
-  const auto worst = [](const std::vector<double>& values) {
-    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-  };
-  std::printf("%-44s %3d/%2d %6d/%5d %6d %5.2f mm %5.2f mm %7.2f %7.2f %6d %6.2f\n", name.c_str(),
-              tally.runs - tally.refused, tally.runs, tally.placed, tally.photos, tally.uncertain,
-              1000.0 * median_of(tally.marker_m), 1000.0 * worst(tally.marker_m),
-              median_of(tally.crown_px), worst(tally.worst_crown_px), tally.silent,
+  std::printf("%-44s %3d/%2d %6d/%6d %6d %8.2f %7.2f %7.2f %7.2f %7d %7.2f %6d %6d %6.2f\n",
+              name.c_str(), tally.runs - tally.refused, tally.runs, tally.placed, tally.photos,
+              tally.uncertain, 1000.0 * median_of(tally.marker_m), 1000.0 * worst(tally.marker_m),
+              median_of(tally.crown_px), worst(tally.solve_crown_px), tally.bad_solves,
+              root_mean_square(tally.in_sigmas), tally.over_2px, tally.silent,
               median_of(tally.cpu_s));
   std::fflush(stdout);
 }
@@ -104,12 +126,67 @@ Tally tally_of(OrbitOptions options, bool known, int seeds, double focal_ratio =
     survey.tapes = {exact_tape(orbit, orbit.names[0], orbit.names[1])};
     const Solved solved = solve(orbit, survey, known, focal_ratio);
     add(orbit, solved, tally);
-    if (verbose) {
+    if (verbose)
       std::printf("  seed %d: CPU %.2f s\n%s", seed, solved.cpu_s,
                   sentences_of(solved.calibration).c_str());
-    }
   }
   return tally;
+}
+
+double cancel_ms(const Orbit& orbit, double after_s) {
+  Progress progress;
+  std::chrono::steady_clock::time_point asked;
+  std::thread asker([&] {
+    std::this_thread::sleep_for(std::chrono::duration<double>(after_s));
+    asked = std::chrono::steady_clock::now();
+    progress.cancel();
+  });
+  bool stopped = false;
+  try {
+    solve_cameras(orbit.photos, {}, {orbit.lens, true}, {}, progress);
+  } catch (const Cancelled&) {
+    stopped = true;
+  }
+  const auto end = std::chrono::steady_clock::now();
+  asker.join();
+  return stopped ? std::chrono::duration<double, std::milli>(end - asked).count() : 0.0;
+}
+
+double worst_cancel_ms(const Orbit& orbit, double whole_s) {
+  double late = 0.0;
+  for (int i = 0; i < 8; ++i) late = std::max(late, cancel_ms(orbit, whole_s * (i + 0.5) / 8.0));
+  return late;
+}
+
+// Root mean square over the pairs of markers.
+double distance_spread_over_prediction(std::uint64_t seed, int draws) {
+  const OrbitBundle exact = orbit_bundle(make_orbit(
+      {.seed = seed, .photos = 12, .markers = 7, .noise_px = 0.0, .gross = 0.0, .missing = 0.0}));
+  BundleProblem problem = exact.problem;
+  const auto& points = exact.state.points;
+  problem.lengths = {{0, 3, glm::distance(points[0], points[3]), 0.002, true}};
+  for (std::size_t i = 0; i < 6; ++i) problem.pinned.emplace_back()[i] = 1.0;
+  Progress progress;
+  double predicted = 0.0, observed = 0.0;
+  for (int draw = 0; draw < draws; ++draw) {
+    Random random(1000 * seed + std::uint64_t(draw));
+    BundleProblem noisy = problem;
+    for (BundleSighting& sighting : noisy.sightings)
+      sighting.pixel += sighting.sigma_px * glm::dvec2(random.normal(), random.normal());
+    noisy.lengths[0].length += noisy.lengths[0].sigma * random.normal();
+    BundleState state = exact.state;
+    solve_bundle(noisy, state, {kLeastSquares, 20}, progress);
+    const BundleCovariance covariance(noisy, state, noise_factor(noisy, state), {}, progress);
+    for (std::size_t a = 0; a < points.size(); ++a) {
+      for (std::size_t b = a + 1; b < points.size(); ++b) {
+        const double off =
+            glm::distance(state.points[a], state.points[b]) - glm::distance(points[a], points[b]);
+        observed += off * off / draws;
+        predicted += draw == 0 ? std::pow(covariance.distance_sigma(int(a), int(b)), 2.0) : 0.0;
+      }
+    }
+  }
+  return std::sqrt(observed / predicted);
 }
 
 void neat(int seeds) {
@@ -152,6 +229,36 @@ void walks(int seeds) {
             tally_of(kind.options, known, seeds));
 }
 
+// Distances between all pairs of markers over 30 draws of noise, against what the first draw says.
+void uncertainty(int seeds) {
+  std::printf("\nmarker distances, 12 photos, 7 markers, 30 draws: spread over prediction\n");
+  std::vector<double> ratios;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    ratios.push_back(distance_spread_over_prediction(std::uint64_t(seed), 30));
+    std::printf(" %.2f", ratios.back());
+  }
+  std::printf("\nmedian %.2f\n", median_of(ratios));
+}
+
+// Thousands of features besides the markers: a long solve, and how soon it stops.
+void features() {
+  std::printf(
+      "\nfeatures: points  photos  sightings   wall s   CPU s  crown px  cancel ms (worst of 8)\n");
+  for (const auto& [photos, points] : {std::pair(24, 1000), {24, 4000}, {60, 4000}}) {
+    const Orbit orbit = make_orbit({.photos = photos, .markers = points, .missing = 0.6});
+    const auto start = std::chrono::steady_clock::now();
+    const Solved solved = solve(orbit, {}, true, 1.0);
+    const double wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::size_t sightings = 0;
+    for (const PhotoSightings& photo : orbit.photos) sightings += photo.sightings.size();
+    std::printf("          %6d  %6d  %9zu  %7.2f %7.2f  %8.2f  %6.0f\n", points, photos, sightings,
+                wall_s, solved.cpu_s, orbit_errors(orbit, solved.calibration).crown_rms_px,
+                worst_cancel_ms(orbit, wall_s));
+    std::fflush(stdout);
+  }
+}
+
 int number_after(const char* argument, const char* option, int otherwise) {
   const std::size_t length = std::strlen(option);
   return std::strncmp(argument, option, length) == 0 ? std::atoi(argument + length) : otherwise;
@@ -165,12 +272,16 @@ int run(int argc, char** argv) {
     if (std::strncmp(argv[i], "--table=", 8) == 0) table = argv[i] + 8;
     if (std::strcmp(argv[i], "--verbose") == 0) verbose = true;
     if (std::strcmp(argv[i], "--help") == 0) {
-      std::printf("orbit_benchmark [--seeds=50] [--table=all|neat|walks] [--verbose]\n");
+      std::printf(
+          "orbit_benchmark [--seeds=50] [--table=all|neat|walks|uncertainty|features] "
+          "[--verbose]\n");
       return 0;
     }
   }
   if (table == "all" || table == "neat") neat(seeds);
   if (table == "all" || table == "walks") walks(seeds);
+  if (table == "all" || table == "uncertainty") uncertainty(std::min(seeds, 20));
+  if (table == "all" || table == "features") features();
   return 0;
 }
 

@@ -17,13 +17,14 @@ const dvec3 kCrown(0.0, 0.0, 2.6);
 const char* const kColours[] = {"red",  "green",  "blue",  "yellow", "pink",   "orange",
                                 "cyan", "purple", "white", "black",  "silver", "brown"};
 
+// A phone's, of 12 megapixels and a focal length like 26 mm on a full frame.
 Lens orbit_lens(double distortion) {
   Lens lens;
   lens.model = distortion == 0.0 ? LensModel::pinhole : LensModel::opencv;
-  lens.width_px = 3264;
-  lens.height_px = 2448;
-  lens.focal_px = {2463.0, 2463.7};
-  lens.principal_px = {1643.0, 1213.0};
+  lens.width_px = 4032;
+  lens.height_px = 3024;
+  lens.focal_px = {3030.0, 3030.9};
+  lens.principal_px = {2030.0, 1498.0};
   lens.distortion = {distortion, -0.3 * distortion, 0.002 * distortion, 0.003 * distortion};
   return lens;
 }
@@ -179,16 +180,18 @@ OrbitErrors orbit_errors(const Orbit& orbit, const Calibration& calibration) {
   errors.marker_rms_m = std::sqrt(squares / double(marker_errors.size()));
   std::sort(marker_errors.begin(), marker_errors.end());
   errors.marker_median_m = marker_errors[marker_errors.size() / 2];
+  double crown_squares = 0.0, placed = 0.0;
   for (std::size_t i = 0; i < calibration.cameras.size(); ++i) {
     const Camera& camera = calibration.cameras[i];
     const Camera there{camera.name, camera.lens, moved(camera.camera_from_world, truth_from_found)};
     const auto seen = project(there, kCrown), should = project(*true_cameras[i], kCrown);
     errors.crown_px.push_back(seen && should ? glm::distance(*seen, *should) : 1e6);
-    double& worst = finding_of(calibration, camera.name).fate == PhotoFate::placed
-                        ? errors.worst_crown_px
-                        : errors.worst_uncertain_crown_px;
-    worst = std::max(worst, errors.crown_px.back());
+    if (finding_of(calibration, camera.name).fate != PhotoFate::placed) continue;
+    errors.worst_crown_px = std::max(errors.worst_crown_px, errors.crown_px.back());
+    crown_squares += errors.crown_px.back() * errors.crown_px.back();
+    placed += 1.0;
   }
+  errors.crown_rms_px = std::sqrt(crown_squares / std::max(placed, 1.0));
   return errors;
 }
 

@@ -51,8 +51,7 @@ Lens guessed_orbit_lens(const Orbit& orbit, double focal_ratio = 1.0);
 // crown after that of cameras and markers together.
 struct OrbitErrors {
   double marker_rms_m = 0.0, marker_median_m = 0.0;
-  double worst_crown_px = 0.0;            // over cameras whose photo counts as placed
-  double worst_uncertain_crown_px = 0.0;  // over the others
+  double worst_crown_px = 0.0, crown_rms_px = 0.0;  // over cameras whose photo counts as placed
   std::vector<double> crown_px;           // of each of calibration.cameras
   double scale_error = 0.0;               // relative
 };
