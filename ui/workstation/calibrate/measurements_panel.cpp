@@ -31,11 +31,13 @@ bool draw_length(CalibrateStepState& state, const std::string& name, double& met
   return true;
 }
 
+// `hint` stands there while nothing is chosen.
 bool draw_point_choice(const std::string& name, const std::vector<PointRow>& points,
-                       std::string& chosen) {
+                       const char* hint, std::string& chosen) {
   bool changed = false;
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), chosen.c_str());
+  const bool open =
+      ImGui::BeginCombo(("##" + name).c_str(), chosen.empty() ? hint : chosen.c_str());
   mark(name);
   if (!open) return false;
   for (const PointRow& point : points) {
@@ -66,9 +68,9 @@ RowChange draw_tape(CalibrateStepState& state, const std::vector<PointRow>& poin
                     const std::string& name, Tape& tape) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  bool changed = draw_point_choice(name + "/from", points, tape.from);
+  bool changed = draw_point_choice(name + "/from", points, "from", tape.from);
   ImGui::TableNextColumn();
-  changed |= draw_point_choice(name + "/to", points, tape.to);
+  changed |= draw_point_choice(name + "/to", points, "to", tape.to);
   ImGui::TableNextColumn();
   changed |= draw_length(state, name + "/metres", tape.length_m, 1.0, "%.3f");
   ImGui::TableNextColumn();
@@ -81,7 +83,7 @@ RowChange draw_height(CalibrateStepState& state, const std::vector<PointRow>& po
                       const std::string& name, Height& height) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  bool changed = draw_point_choice(name + "/point", points, height.point);
+  bool changed = draw_point_choice(name + "/point", points, "height of", height.point);
   ImGui::TableNextColumn();
   changed |= draw_length(state, name + "/metres", height.height_m, 1.0, "%.3f");
   ImGui::TableNextColumn();
@@ -158,9 +160,9 @@ void draw_new_tape(Workspace& workspace, const std::vector<PointRow>& points) {
   Tape& tape = state.new_tape;
   if (ImGui::BeginTable("new tape", 3)) {
     ImGui::TableNextColumn();
-    draw_point_choice("calibrate/new_tape/from", points, tape.from);
+    draw_point_choice("calibrate/new_tape/from", points, "from", tape.from);
     ImGui::TableNextColumn();
-    draw_point_choice("calibrate/new_tape/to", points, tape.to);
+    draw_point_choice("calibrate/new_tape/to", points, "to", tape.to);
     ImGui::TableNextColumn();
     draw_length(state, "calibrate/new_tape/metres", tape.length_m, 1.0, "%.3f m");
     ImGui::EndTable();
@@ -177,7 +179,7 @@ void draw_new_height(Workspace& workspace, const std::vector<PointRow>& points) 
   Height& height = state.new_height;
   if (ImGui::BeginTable("new height", 2)) {
     ImGui::TableNextColumn();
-    draw_point_choice("calibrate/new_height/point", points, height.point);
+    draw_point_choice("calibrate/new_height/point", points, "height of", height.point);
     ImGui::TableNextColumn();
     draw_length(state, "calibrate/new_height/metres", height.height_m, 1.0, "%.3f m");
     ImGui::EndTable();

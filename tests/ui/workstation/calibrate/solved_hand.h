@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/phantom/phantom.h"
+#include "core/project/calibration_run.h"
 #include "core/project/new_project.h"
 #include "tests/base/scratch_folder.h"
 #include "tests/ui/workstation/hand.h"
@@ -30,12 +31,16 @@ class BallCapture {
     phantom = make_phantom(options, quiet);
     write_phantom(scratch / "capture", phantom, quiet);
   }
-  Project project_in(const std::filesystem::path& folder) const {
+  // Nothing is looked for by itself but balls where asked.
+  Project project_with(const std::filesystem::path& folder, const HandSightings& clicks,
+                       bool find_balls = false) const {
     NewProject wanted;
     wanted.folder = folder;
     wanted.photos = {scratch / "capture" / "photos"};
     Project project = make_project(wanted, Recipe(), true, Progress());
     set_option(project.recipe, "calibrate.features", "off");
+    set_option(project.recipe, "calibrate.find_balls", find_balls ? "true" : "false");
+    project.calibration.sightings = clicks;
     return project;
   }
 
@@ -43,7 +48,7 @@ class BallCapture {
   const ScratchFolder scratch;
 };
 
-// A hand in step Calibrate of such a project; nothing is looked for by itself unless a test asks.
+// A hand in step Calibrate of such a project.
 class SolvedStep : public testing::Test {
  protected:
   static const BallCapture& capture() {
@@ -64,11 +69,24 @@ class SolvedStep : public testing::Test {
   }
   // Opens a project with these clicks, in step Calibrate.
   void open(const HandSightings& clicks, bool find_balls = false) {
-    Project project = capture().project_in(scratch / "oak");
-    set_option(project.recipe, "calibrate.find_balls", find_balls ? "true" : "false");
-    project.calibration.sightings = clicks;
-    save_project(project);
-    open_project(workspace, scratch / "oak");
+    save_project(capture().project_with(place, clicks, find_balls));
+    show();
+  }
+  // The same with all true clicks, found and solved; the cache holds it.
+  void open_solved() {
+    static const Calibration once = [] {
+      const Project project = capture().project_with(capture().scratch / "solved", true_clicks());
+      save_project(project);
+      Progress quiet;
+      return run_calibration(gather_calibration(project), Cache(project.cache_folder()), quiet);
+    }();
+    std::filesystem::copy(capture().scratch / "solved", place,
+                          std::filesystem::copy_options::recursive);
+    show();
+    EXPECT_EQ(solve_state(workspace), SolveState::current) << state().solved.trouble;
+  }
+  void show() {
+    open_project(workspace, place);
     workspace.step = WorkStep::calibrate;
     EXPECT_TRUE(hand.settle());
   }
@@ -101,9 +119,16 @@ class SolvedStep : public testing::Test {
     hand.click(field + "/" + point);
   }
 
-  const ScratchFolder scratch;
+  // Beside the photos, so that paths in the project fit wherever it is copied to.
+  const std::filesystem::path place = capture().scratch / std::to_string(++projects());
   Hand hand{ImVec2(1600, 1500)};
   Workspace& workspace = hand.workspace();
+
+ private:
+  static int& projects() {
+    static int count = 0;
+    return count;
+  }
 };
 
 }  // namespace bosk

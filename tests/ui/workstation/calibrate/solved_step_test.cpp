@@ -57,12 +57,7 @@ TEST_F(SolvedStep, ARefusalSaysWhyAndStopsLaterSteps) {
 
 class SolvedCapture : public SolvedStep {
  protected:
-  SolvedCapture() {
-    open(true_clicks());
-    find();
-    EXPECT_EQ(solve_state(workspace), SolveState::current) << state().solved.trouble;
-    hand.frame();
-  }
+  SolvedCapture() { open_solved(); }
   // A ball that the photo on the canvas shows.
   std::string shown_point() {
     for (const auto& [point, said] : workspace.project().calibration.sightings.at(shown_photo())) {
@@ -189,8 +184,7 @@ TEST_F(SolvedCapture, TheLoupeFollowsTheMouse) {
 TEST_F(SolvedCapture, IsThereAgainWhenTheProjectIsOpenedAgain) {
   const ContentHash key = state().solved.key;
   close_project(workspace);
-  open_project(workspace, scratch / "oak");
-  ASSERT_TRUE(hand.settle());
+  show();
   EXPECT_EQ(solve_state(workspace), SolveState::current);
   EXPECT_EQ(state().solved.key, key);
   EXPECT_TRUE(workspace.capture);
