@@ -42,10 +42,10 @@ struct CalibrateStepState {
   SolvedCameras solved;
   CalibrateView shown = CalibrateView::photo;
   PhotoCanvas canvas;
-  std::string new_point, rename_to;         // as typed
-  std::string typed_profile, typed_boards;  // where they are
-  std::string pointed_at;                   // name of the photo that the mouse is on
-  std::vector<PointRow> points;             // as of the revisions below
+  std::string new_point, rename_to;                              // as typed
+  std::string typed_profile, typed_boards, typed_profile_place;  // where they are
+  std::string pointed_at;        // name of the photo that the mouse is on
+  std::vector<PointRow> points;  // as of the revisions below
   std::uint64_t points_session = 0, points_solved = 0;
   Tape new_tape;  // to be added
   Height new_height;

@@ -52,6 +52,35 @@ void draw_picture(const char* words, const std::string& name, const Texture& tex
   ImGui::EndGroup();
 }
 
+void save_profile(Workspace& workspace, const fs::path& place) {
+  workspace.jobs.start(
+      "Saving the lens",
+      [finds = workspace.calibrate.solved.finds, place](Progress& progress) {
+        progress.begin("saving the lens", 1);
+        save_lens_profile(place, finds->boards->profile);
+        return place;
+      },
+      [&workspace](const fs::path& saved) {
+        workspace.calibrate.said = {
+            {Tone::good, "Saved the lens to " + printable(saved.string()) +
+                             "; other projects take it under Lens, as a profile."}};
+      },
+      Lane::interactive, "calibrate/save_profile");
+}
+
+void draw_saving(Workspace& workspace, const LensCalibration& boards) {
+  const bool refused = boards.verdict == Verdict::refused;
+  const PathField field{"calibrate/profile_place",
+                        "where to keep the lens: a file name, .json",
+                        "calibrate/save_profile",
+                        "Save lens",
+                        "for other captures with this camera at this focal length",
+                        refused ? "these boards determine no lens" : ""};
+  if (const auto path = draw_path_field(field, workspace.calibrate.typed_profile_place)) {
+    save_profile(workspace, *path);
+  }
+}
+
 void draw_boards(const LensCalibration& boards) {
   if (!ImGui::BeginTable("boards", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) {
     return;
@@ -117,6 +146,7 @@ void draw_lens_view(Workspace& workspace) {
   badge(tone_of(boards.verdict), verdict_words(boards.verdict));
   paragraph(lens_words(boards) + ".");
   for (const std::string& sentence : boards.sentences) paragraph(Tone::note, sentence);
+  draw_saving(workspace, boards);
   draw_picture("Where corners lie (green: no error, red: three sigma)", "calibrate/coverage",
                workspace.pictures.show("calibrate/coverage", solved.revision,
                                        [&] { return solved.lens_look->coverage; }));
