@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <string_view>
 
 #include "core/base/number_text.h"
 #include "core/project/calibration_figures.h"
@@ -114,6 +115,12 @@ std::string camera_svg(const Camera& camera, const PhotoFinding* finding, const 
   return svg + words(outside, camera.name, "text-anchor=\"middle\"") + "\n";
 }
 
+// A stick's foot lies under its ball.
+bool is_foot(const SolvedPoint& point) {
+  constexpr std::string_view kFoot = " foot";
+  return point.name.size() > kFoot.size() && point.name.ends_with(kFoot);
+}
+
 std::string marker_svg(const SolvedPoint& point, const Plan& plan) {
   const glm::dvec2 at = plan.place(glm::dvec2(point.in_world));
   return circle(at, 5.0, "fill=\"#fff\" stroke=\"#333\" stroke-width=\"2\"") +
@@ -143,7 +150,7 @@ std::string camera_wheel_svg(const Calibration& calibration) {
                     "\" style=\"max-width:720px\" font-size=\"12\">\n" +
                     circle({0, 0}, 7.0, "fill=\"#7a5230\"") + "\n";
   for (const SolvedPoint& point : calibration.points) {
-    if (!is_feature(point.name)) svg += marker_svg(point, plan);
+    if (!is_feature(point.name) && !is_foot(point)) svg += marker_svg(point, plan);
   }
   for (const Camera& camera : calibration.cameras) {
     svg += camera_svg(camera, finding_of(calibration, camera.name), plan);
