@@ -28,7 +28,8 @@ const SolvedPoint* point_named(const Calibration& calibration, const std::string
 
 std::string measured_words(double solved_m, double measured_m, double sigma_m) {
   const double off_m = solved_m - measured_m;
-  return formatted("solved %.3f m, %+.1f mm (%.1f sigma)", solved_m, 1000.0 * off_m,
+  const double off_mm = std::round(1e4 * off_m) / 10.0 + 0.0;  // never "-0.0"
+  return formatted("solved %.3f m, %+.1f mm (%.1f sigma)", solved_m, off_mm,
                    std::abs(off_m) / sigma_m);
 }
 

@@ -74,7 +74,10 @@ void hear_canvas(Workspace& workspace, const CanvasPhoto& photo, const ImagePlac
   const WindowInput& input = workspace.input;
   const bool began = place.hovered && io.MouseClicked[ImGuiMouseButton_Left] &&
                      !ImGui::IsKeyDown(kKeySpace) && !canvas.held;
-  if (began) press(canvas, photo, place, marks, place_of_button(input, input.pressed_at));
+  if (began) {
+    press(canvas, photo, place, marks, place_of_button(input, input.pressed_at));
+    workspace.calibrate.rename_to = canvas.point;
+  }
   if (!canvas.held) return;
   const bool up_again =
       input.released_at && (!began || *input.released_at > input.pressed_at.value_or(0));

@@ -20,6 +20,11 @@ TEST(TapeWords, SayHowFarTheSolveIsFromTheTape) {
             "solved 1.502 m, -5.0 mm (1.0 sigma)");
 }
 
+TEST(TapeWords, SayNoMinusOfNothing) {
+  EXPECT_EQ(tape_words(two_points(), {"red", "blue", 2.00000001, 0.002}),
+            "solved 2.000 m, +0.0 mm (0.0 sigma)");
+}
+
 TEST(TapeWords, AreNoneWithoutAPlaceOrAScale) {
   EXPECT_FALSE(tape_words(two_points(), {"red", "post", 2.0, 0.002}));
   Calibration unscaled = two_points();

@@ -101,6 +101,7 @@ TEST_F(SolvedCapture, AClickWithoutAMoveChoosesThePointAndChangesNothing) {
   const std::string point = shown_point();
   hand.click("calibrate/mark/" + point);
   EXPECT_EQ(state().canvas.point, point);
+  EXPECT_EQ(state().rename_to, point);
   EXPECT_EQ(workspace.session->revision(), revision);
 }
 
