@@ -24,7 +24,7 @@ StepGuide guide_of(const Calibration& calibration) {
     case Verdict::refused:
       break;
   }
-  return {Tone::bad, "refused", clause(first), "",
+  return {Tone::bad, "refused", "", clause(first),
           "click points that several photos share, take photos again, or import cameras"};
 }
 
@@ -44,7 +44,7 @@ StepGuide solved_guide(const Workspace& workspace) {
       if (solved.solve.is_at_work()) {
         return {Tone::busy, "solving", "", "", "go on clicking: the cameras follow"};
       }
-      return {Tone::bad, "look here", clause(solved.trouble), "",
+      return {Tone::bad, "look here", "", clause(solved.trouble),
               "change what is told, or press Find markers again"};
     case SolveState::current:
       return guide_of(*solved.calibration);
@@ -52,7 +52,7 @@ StepGuide solved_guide(const Workspace& workspace) {
       break;
   }
   if (!solved.trouble.empty()) {
-    return {Tone::bad, "look here", clause(solved.trouble), "",
+    return {Tone::bad, "look here", "", clause(solved.trouble),
             "mend that, then press Find markers"};
   }
   return {Tone::note, "needs cameras", "", "",

@@ -49,7 +49,7 @@ TEST_F(SolvedStep, ARefusalSaysWhyAndStopsLaterSteps) {
   ASSERT_FALSE(solved().sentences.empty());
   const StepGuide guide = guide_of(workspace, WorkStep::calibrate);
   EXPECT_EQ(guide.tone, Tone::bad);
-  EXPECT_FALSE(guide.needs.empty());
+  EXPECT_FALSE(guide.has.empty());
   EXPECT_FALSE(guide.next.empty());
   EXPECT_FALSE(workspace.capture);
   EXPECT_THAT(obstacle_to(workspace, "photo"), HasSubstr("no cameras could be found"));
