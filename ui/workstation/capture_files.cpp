@@ -6,9 +6,11 @@
 namespace bosk {
 namespace {
 
-// What of the project says which files a run starts from.
-std::uint64_t files_revision(const Project& project) {
+// What says which files and cameras a run starts from. `solved` is the calibration's key where
+// there is no camera file.
+std::uint64_t files_revision(const Project& project, const ContentHash& solved) {
   ContentHasher hasher;
+  hasher.value(solved.high).value(solved.low);
   for (const auto& photo : project.photos) hasher.text(photo.string());
   hasher.text(project.cameras.string()).text(project.mattes.string());
   hasher.text(project.scribbles.string()).text(project.folder.string());
@@ -20,10 +22,13 @@ struct Gathered {
   std::string obstacle;
 };
 
-Gathered gathered(const Project& project, Progress& progress) {
+// `solved` is null where the project has a camera file.
+Gathered gathered(const Project& project, const Calibration* solved, Progress& progress) {
   progress.begin("reading the files", 1);
   try {
-    return {std::make_shared<Capture>(gather_capture(project)), {}};
+    return {std::make_shared<Capture>(solved ? gather_capture(project, *solved)
+                                             : gather_capture(project)),
+            {}};
   } catch (const Error& error) {
     return {nullptr, error.what()};
   }
@@ -37,17 +42,29 @@ void install(Workspace& workspace, std::uint64_t files, Gathered result) {
   workspace.seen_revision.reset();
 }
 
+ContentHash key_of_cameras(const Workspace& workspace) {
+  return workspace.project().cameras.empty() ? workspace.calibrate.solved.key : ContentHash();
+}
+
+// Whether the project's cameras are known, be it from its file or from a calibration.
+bool has_cameras(const Workspace& workspace) {
+  if (!workspace.project().cameras.empty()) return true;
+  const auto solved = current_calibration(workspace);
+  return solved && solved->verdict != Verdict::refused;
+}
+
 }  // namespace
 
 void reread_files(Workspace& workspace) {
-  const std::uint64_t files = files_revision(workspace.project());
+  const std::uint64_t files = files_revision(workspace.project(), key_of_cameras(workspace));
   workspace.seen_files = files;
   workspace.capture.reset();
   workspace.capture_obstacle = "the project's files are being read";
   workspace.jobs.start(
       "Reading files",
-      [project = std::make_shared<const Project>(workspace.project())](Progress& progress) {
-        return gathered(*project, progress);
+      [project = std::make_shared<const Project>(workspace.project()),
+       solved = current_calibration(workspace)](Progress& progress) {
+        return gathered(*project, solved.get(), progress);
       },
       [&workspace, files](Gathered result) { install(workspace, files, std::move(result)); },
       Lane::interactive, "files");
@@ -55,15 +72,13 @@ void reread_files(Workspace& workspace) {
 
 void refresh_capture(Workspace& workspace) {
   const Project& project = workspace.project();
-  if (project.cameras.empty()) {
+  if (!has_cameras(workspace)) {
     workspace.seen_files = 0;
     workspace.capture.reset();
-    workspace.capture_obstacle = project.photos.empty()
-                                     ? "add photos in step Photos"
-                                     : "import the photos' cameras in step Calibrate";
+    workspace.capture_obstacle = obstacle_to_cameras(workspace);
     return;
   }
-  if (files_revision(project) != workspace.seen_files) {
+  if (files_revision(project, key_of_cameras(workspace)) != workspace.seen_files) {
     reread_files(workspace);
   } else if (workspace.capture && workspace.capture->strokes != project.strokes) {
     auto changed = std::make_shared<Capture>(*workspace.capture);

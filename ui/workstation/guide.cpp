@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/workstation/calibrate/solved_guide.h"
 #include "ui/workstation/capture_files.h"
 #include "ui/workstation/workspace.h"
 
@@ -31,12 +32,7 @@ StepGuide photos_guide(const Workspace& workspace) {
 StepGuide calibrate_guide(const Workspace& workspace) {
   const Project& project = workspace.project();
   if (project.photos.empty()) return {Tone::muted, "waits", "photos (step Photos)", "", ""};
-  if (project.cameras.empty()) {
-    return {Tone::note, "needs cameras",
-            "where each photo was taken from: a COLMAP model, a transforms.json or mrcal's "
-            ".cameramodel",
-            "", "type or drop the camera file"};
-  }
+  if (project.cameras.empty()) return solved_guide(workspace);
   if (workspace.capture) {
     return {Tone::good, "ready", "",
             "cameras of " + count_text(workspace.capture->cameras.size(), "photo"),

@@ -187,6 +187,7 @@ void refresh(Workspace& workspace) {
   const std::uint64_t revision = workspace.session->revision();
   if (revision == workspace.seen_revision) return;
   workspace.seen_revision = revision;
+  follow_calibration(workspace);
   refresh_capture(workspace);
   refresh_keys(workspace);
 }

@@ -8,6 +8,7 @@
 #include "ui/workstation/calibrate/calibrate_panels.h"
 #include "ui/workstation/calibrate/camera_import.h"
 #include "ui/workstation/calibrate/camera_measures.h"
+#include "ui/workstation/options_panel.h"
 #include "ui/workstation/path_field.h"
 #include "ui/workstation/photos/photo_panels.h"
 #include "ui/workstation/workspace.h"
@@ -16,6 +17,8 @@ namespace bosk {
 namespace {
 
 constexpr float kViewShare = 0.58f;  // of the width
+constexpr float kMainShare = 0.68f;  // of the height, above the table
+constexpr float kToolsEms = 23.0f;
 
 void draw_import(Workspace& workspace) {
   const bool no_photos = workspace.project().photos.empty();
@@ -73,6 +76,94 @@ void draw_selected(Workspace& workspace) {
   }
 }
 
+void draw_choice(CalibrateStepState& state, CalibrateView view, const char* label,
+                 const std::string& landmark, const char* help) {
+  if (ImGui::RadioButton(label, state.shown == view)) state.shown = view;
+  mark(landmark);
+  tooltip(help);
+}
+
+void draw_choices(CalibrateStepState& state) {
+  draw_choice(state, CalibrateView::photo, "Photo", "calibrate/show/photo",
+              "what is seen on a photo, to be corrected by clicks");
+  ImGui::SameLine();
+  draw_choice(state, CalibrateView::cameras, "Cameras", "calibrate/show/cameras",
+              "cameras and points, with their error bars");
+  ImGui::SameLine();
+  draw_choice(state, CalibrateView::wheel, "From above", "calibrate/show/wheel",
+              "where another photo would help");
+  ImGui::SameLine();
+  draw_choice(state, CalibrateView::lens, "Lens", "calibrate/show/lens",
+              "what photos of a board say of the lens");
+}
+
+void draw_shown(Workspace& workspace, const std::vector<Camera>& cameras) {
+  switch (workspace.calibrate.shown) {
+    case CalibrateView::photo:
+      return draw_photo_canvas(workspace);
+    case CalibrateView::cameras:
+      if (!cameras.empty()) return draw_frusta(workspace, cameras);
+      return paragraph(Tone::muted, "No photo has a camera yet.");
+    case CalibrateView::wheel:
+      return draw_reshoot_wheel(workspace);
+    case CalibrateView::lens:
+      return draw_lens_view(workspace);
+  }
+}
+
+// A part of the tools that can be folded away.
+void draw_part(Workspace& workspace, const char* label, const std::string& landmark, bool open,
+               void (*draw)(Workspace&)) {
+  const bool shown = ImGui::CollapsingHeader(label, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  mark(landmark);
+  if (shown) draw(workspace);
+}
+
+// But for those of the lens.
+void draw_other_options(Workspace& workspace) {
+  CalibrateOptions options;
+  const auto& of_lens = lens_option_names();
+  std::vector<std::string> names;
+  for (const Option& option : describe(options)) {
+    const bool other = std::find(of_lens.begin(), of_lens.end(), option.name) == of_lens.end();
+    if (other) names.push_back(option.name);
+  }
+  draw_stage_options(workspace, "calibrate", names);
+}
+
+void draw_tools(Workspace& workspace) {
+  draw_solving(workspace);
+  draw_part(workspace, "Points", "calibrate/points", true, draw_points);
+  draw_part(workspace, "Measurements", "calibrate/measurements", true, draw_measurements);
+  draw_part(workspace, "Lens", "calibrate/lens", false, draw_lens_sources);
+  draw_part(workspace, "Options", "calibrate/options", false, draw_other_options);
+}
+
+// Of a project without a camera file.
+void draw_solved_step(Workspace& workspace, const std::vector<Camera>& cameras) {
+  if (workspace.calibrate.shown == CalibrateView::photo) hear_canvas_keys(workspace);
+  ImGui::BeginChild("calibrate tools", {kToolsEms * ImGui::GetFontSize(), 0.0f});
+  draw_tools(workspace);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("calibrate main", {0.0f, 0.0f}, false, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_choices(workspace.calibrate);
+  const bool findings = workspace.calibrate.solved.calibration != nullptr;
+  const float height = findings ? kMainShare * ImGui::GetContentRegionAvail().y : 0.0f;
+  ImGui::BeginChild("calibrate shown", {0.0f, height}, false, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_shown(workspace, cameras);
+  ImGui::EndChild();
+  draw_photo_findings(workspace);
+  ImGui::EndChild();
+}
+
+void draw_way_back(Workspace& workspace) {
+  if (button("calibrate/unimport", "Use calibration instead",
+             "finds the cameras from the photos, without the camera file; undo brings it back")) {
+    edit_or_tell(workspace, files_edit(workspace.project(), FileKind::cameras, {}));
+  }
+}
+
 // Cameras may have gone by undo.
 void forget_gone(CalibrateStepState& state, const std::vector<Camera>& cameras) {
   const auto is_gone = [&](const std::string& name) {
@@ -89,10 +180,16 @@ void draw_calibrate_step(Workspace& workspace) {
   follow_photos(workspace);
   follow_import(workspace);
   follow_differences(workspace);
+  follow_calibration_jobs(workspace);
   const std::vector<Camera> cameras = photo_cameras(workspace);
   forget_gone(workspace.calibrate, cameras);
   draw_import(workspace);
+  if (solve_state(workspace) != SolveState::unused) {
+    draw_notices(workspace.calibrate.said);
+    return draw_solved_step(workspace, cameras);
+  }
   draw_state(workspace, cameras);
+  if (!workspace.project().cameras.empty()) draw_way_back(workspace);
   if (cameras.empty()) return;
   ImGui::BeginChild("frusta", {kViewShare * ImGui::GetContentRegionAvail().x, 0});
   draw_frusta(workspace, cameras);

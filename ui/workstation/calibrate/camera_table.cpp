@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ui/widgets/landmarks.h"
+#include "ui/widgets/table_head.h"
 #include "ui/workstation/calibrate/calibrate_panels.h"
 #include "ui/workstation/calibrate/camera_measures.h"
 #include "ui/workstation/photos/camera_wheel.h"
@@ -12,10 +13,7 @@
 namespace bosk {
 namespace {
 
-struct Column {
-  const char *name, *help;
-};
-constexpr Column kColumns[] = {
+const TableColumn kColumns[] = {
     {"Photo", "its name"},
     {"Focal px", "focal length in pixels of the photo as taken"},
     {"Lens", "the model of its distortion, and the first coefficient"},
@@ -29,19 +27,8 @@ constexpr Column kColumns[] = {
 };
 
 // The last column is there where there is something to compare.
-std::span<const Column> columns(bool compared) {
+std::span<const TableColumn> columns(bool compared) {
   return std::span(kColumns).first(std::size(kColumns) - (compared ? 0 : 1));
-}
-
-void draw_head(std::span<const Column> shown) {
-  ImGui::TableSetupScrollFreeze(1, 1);
-  for (const Column& column : shown) ImGui::TableSetupColumn(column.name);
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const Column& column : shown) {
-    ImGui::TableNextColumn();
-    ImGui::TableHeader(column.name);
-    tooltip(column.help);
-  }
 }
 
 void draw_difference(const PhotoDifferences& differences, const std::string& name) {
@@ -90,7 +77,7 @@ void draw_camera_table(Workspace& workspace, const std::vector<Camera>& cameras)
   const bool compared = obstacle.empty();
   const auto shown = columns(compared);
   if (!ImGui::BeginTable("cameras", int(shown.size()), flags)) return;
-  draw_head(shown);
+  draw_table_head(shown);
   const glm::dvec3 middle = middle_of(cameras);
   for (const Camera& camera : cameras) {
     draw_row(workspace.calibrate, measures_of(camera, middle), compared);

@@ -3,44 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/image/orientation.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/workstation/calibrate/calibrate_panels.h"
+#include "ui/workstation/calibrate/frusta_scene.h"
 #include "ui/workstation/photos/camera_wheel.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
 namespace {
 
-constexpr int kPieces = 4;    // along a photo's edge: quads are drawn without perspective
-constexpr int kGridHalf = 8;  // squares of the ground to either side
-constexpr float kTextGapPx = 6.0f;
-constexpr float kClickPx = 4.0f;  // a press that moves further is a drag
+constexpr int kPieces = 4;              // along a photo's edge: quads are drawn without perspective
+constexpr int kGridHalf = 8;            // squares of the ground to either side
+constexpr double kErrorBarShare = 0.3;  // of a frustum's depth: the median error bar
+constexpr float kClickPx = 4.0f;        // a press that moves further is a drag
 
-// The view on the screen.
-struct Scene {
-  Camera eye;  // a pinhole, in pixels from `least`
-  ImVec2 least{0, 0}, most{0, 0};
-  ImDrawList* draw = nullptr;
-
-  ImVec2 on_screen(const glm::dvec2& pixel) const {
-    return {least.x + float(pixel.x + 0.5), least.y + float(pixel.y + 0.5)};
-  }
-  void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, float width) const {
-    const auto seen = seen_line(eye, from, to);
-    if (seen) draw->AddLine(on_screen(seen->first), on_screen(seen->second), colour, width);
-  }
-  void text(const glm::dvec3& at, ImU32 colour, const char* words) const {
-    const auto seen = seen_line(eye, at, at);
-    if (!seen) return;
-    const ImVec2 place = on_screen(seen->first);
-    draw->AddText({place.x + kTextGapPx, place.y}, colour, words);
-  }
-};
-
-void draw_ground(const Scene& scene, const glm::dvec3& middle, double step) {
+void draw_ground(const FrustaScene& scene, const glm::dvec3& middle, double step) {
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Border);
   const glm::dvec3 origin(step * std::round(middle.x / step), step * std::round(middle.y / step),
                           0.0);
@@ -53,7 +34,7 @@ void draw_ground(const Scene& scene, const glm::dvec3& middle, double step) {
 }
 
 // The world's axes at its origin, z the longest.
-void draw_axes(const Scene& scene, double length) {
+void draw_axes(const FrustaScene& scene, double length) {
   struct Axis {
     glm::dvec3 end;
     Tone tone;
@@ -76,7 +57,7 @@ ImVec2 texture_at(double across, double down, int orientation) {
 }
 
 // In pieces, each drawn flat: so the picture keeps its perspective.
-void draw_picture(const Scene& scene, const Frustum& frustum, const Texture& texture,
+void draw_picture(const FrustaScene& scene, const Frustum& frustum, const Texture& texture,
                   int orientation) {
   for (int row = 0; row < kPieces; ++row) {
     for (int column = 0; column < kPieces; ++column) {
@@ -97,7 +78,7 @@ void draw_picture(const Scene& scene, const Frustum& frustum, const Texture& tex
   }
 }
 
-void draw_edges(const Scene& scene, const Frustum& frustum, bool selected) {
+void draw_edges(const FrustaScene& scene, const Frustum& frustum, bool selected) {
   const ImU32 colour = selected ? colour_u32(Tone::note) : colour_u32(Tone::neutral, 0.6f);
   const float width = selected ? 3.0f : 1.0f;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -106,7 +87,7 @@ void draw_edges(const Scene& scene, const Frustum& frustum, bool selected) {
   }
 }
 
-void draw_frustum(Workspace& workspace, const Scene& scene, const Frustum& frustum) {
+void draw_frustum(Workspace& workspace, const FrustaScene& scene, const Frustum& frustum) {
   const PhotoRow* row = row_of(workspace, frustum.name);
   const Texture picture = row ? thumbnail_of(workspace, row->file) : Texture();
   if (picture) draw_picture(scene, frustum, picture, orientation_of(workspace, frustum.name));
@@ -114,13 +95,11 @@ void draw_frustum(Workspace& workspace, const Scene& scene, const Frustum& frust
   const auto middle = seen_line(scene.eye, frustum.middle(), frustum.middle());
   if (!middle) return;
   const ImVec2 at = scene.on_screen(middle->first);
-  const bool inside =
-      at.x > scene.least.x && at.x < scene.most.x && at.y > scene.least.y && at.y < scene.most.y;
-  if (inside) mark("calibrate/frustum/" + frustum.name, at, at);
+  if (scene.shows(at)) mark("calibrate/frustum/" + frustum.name, at, at);
 }
 
 // The nearest picture under the mouse; empty: none.
-std::string picture_at(const Scene& scene, const std::vector<Frustum>& frusta,
+std::string picture_at(const FrustaScene& scene, const std::vector<Frustum>& frusta,
                        const std::vector<std::size_t>& order, const ImVec2& mouse) {
   const glm::dvec2 pixel(double(mouse.x - scene.least.x), double(mouse.y - scene.least.y));
   for (auto i = order.rbegin(); i != order.rend(); ++i) {
@@ -154,10 +133,12 @@ void hear_view(Workspace& workspace, const std::vector<Camera>& cameras, double 
   }
 }
 
-// Another set of cameras is shown as a whole first.
+// Another set of cameras is shown as a whole first; those that were solved again are the same set.
 void follow_cameras_shown(CalibrateStepState& state, const std::vector<Camera>& cameras) {
   if (state.view_revision == state.known.revision) return;
   state.view_revision = state.known.revision;
+  const bool solved = state.known.place.empty();
+  if (std::exchange(state.view_of_solved, solved) && solved) return;
   state.view = overview_of(cameras, middle_of(cameras));
 }
 
@@ -169,12 +150,28 @@ Camera eye_of_scene(const CalibrateStepState& state, const std::vector<Camera>& 
   return through == cameras.end() ? camera_of(state.view, size) : camera_through(*through, size);
 }
 
-void draw_scale(const Scene& scene, double step) {
-  char words[96];
+void draw_scale(const FrustaScene& scene, double step, bool metres) {
+  char words[128];
   std::snprintf(words, sizeof words,
-                "ground z = 0, a square is %g m   drag: turn, wheel: nearer, Home: all", step);
+                "ground z = 0, a square is %g %s   drag: turn, wheel: nearer, Home: all", step,
+                metres ? "m" : "of the cameras' distance");
   const ImVec2 at(scene.least.x + 8.0f, scene.most.y - 1.5f * ImGui::GetTextLineHeight());
   scene.draw->AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), words);
+}
+
+// Null where the cameras are those of a file.
+std::shared_ptr<const Calibration> shown_calibration(const CalibrateStepState& state) {
+  return state.known.place.empty() ? state.solved.calibration : nullptr;
+}
+
+// A click chooses the picture under the mouse.
+void hear_pictures(Workspace& workspace, const std::string& under) {
+  tooltip(under);
+  const bool clicked =
+      ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseDragMaxDistanceSqr[0] < kClickPx * kClickPx;
+  if (!clicked || under.empty()) return;
+  workspace.calibrate.selected = under;
+  show_on_canvas(workspace, under);
 }
 
 }  // namespace
@@ -183,7 +180,7 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
   CalibrateStepState& state = workspace.calibrate;
   follow_cameras_shown(state, cameras);
   const ImVec2 area = ImGui::GetContentRegionAvail();
-  Scene scene;
+  FrustaScene scene;
   scene.draw = ImGui::GetWindowDrawList();
   scene.least = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::max(1.0f, area.x), std::max(1.0f, area.y));
@@ -204,15 +201,13 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
   draw_ground(scene, middle, step);
   draw_axes(scene, 4.0 * depth);
   for (const std::size_t i : order) draw_frustum(workspace, scene, frusta[i]);
-  draw_scale(scene, step);
+  const auto solved = shown_calibration(state);
+  if (solved) draw_error_bars(scene, *solved, kErrorBarShare * depth);
+  draw_scale(scene, step, !solved || solved->scale_known);
   scene.draw->PopClipRect();
 
   if (!ImGui::IsItemHovered()) return;
-  const std::string under = picture_at(scene, frusta, order, ImGui::GetIO().MousePos);
-  tooltip(under);
-  const bool clicked =
-      ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseDragMaxDistanceSqr[0] < kClickPx * kClickPx;
-  if (clicked && !under.empty()) state.selected = under;
+  hear_pictures(workspace, picture_at(scene, frusta, order, ImGui::GetIO().MousePos));
 }
 
 }  // namespace bosk

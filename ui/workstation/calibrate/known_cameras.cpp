@@ -48,24 +48,36 @@ std::set<std::string> names_of(const std::vector<Camera>& cameras) {
   return names;
 }
 
+// Nothing yet, in place of what was known.
+KnownToProject begun_anew(const KnownToProject& known) {
+  KnownToProject fresh;
+  fresh.revision = known.revision + 1;
+  return fresh;
+}
+
+// A project without a camera file has the cameras that were solved.
+void follow_solved(KnownToProject& known, const SolvedCameras& solved) {
+  if (known.place.empty() && known.solved == solved.revision) return;
+  known = begun_anew(known);
+  known.solved = solved.revision;
+  if (solved.calibration) known.cameras = solved.calibration->cameras;
+}
+
 }  // namespace
 
 void follow_cameras(Workspace& workspace) {
   KnownToProject& known = workspace.calibrate.known;
   const fs::path& named = workspace.project().cameras;
-  const fs::path place = named.empty() ? fs::path() : workspace.project().absolute(named);
-  const auto changed = place.empty() ? fs::file_time_type{} : change_of(place);
+  if (named.empty()) return follow_solved(known, workspace.calibrate.solved);
+  const fs::path place = workspace.project().absolute(named);
+  const auto changed = change_of(place);
   if (was_stopped(known.job, workspace.jobs)) {
     known.trouble = "reading the cameras was stopped; import them again";
   }
   if (place == known.place && changed == known.changed) return;
+  known = begun_anew(known);
   known.place = place;
   known.changed = changed;
-  known.cameras.clear();
-  known.trouble.clear();
-  ++known.revision;
-  if (place.empty()) return;
-  known.job = {};
   known.job.id = workspace.jobs.start(
       "Reading cameras", [place](Progress& progress) { return read_all(place, progress); },
       [&workspace, place](CamerasRead read) {

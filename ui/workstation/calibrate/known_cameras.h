@@ -12,9 +12,11 @@ namespace bosk {
 
 struct Workspace;
 
-// The project's cameras as its file says, also while too few of the photos fit them for a run.
+// The project's cameras as its file says, also while too few of the photos fit them for a run;
+// without a file those of its newest calibration.
 struct KnownToProject {
   std::filesystem::path place;  // that was read; empty: none
+  std::uint64_t solved = 0;     // revision of the calibration that they are from; 0: of none
   std::filesystem::file_time_type changed{};
   std::vector<Camera> cameras;
   std::string trouble;  // why there are none

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "core/image/orientation.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
-#include "ui/workstation/photos/decoder_pool.h"
+#include "ui/workstation/photos/large_photo.h"
 #include "ui/workstation/photos/photo_panels.h"
 #include "ui/workstation/photos/photo_words.h"
 #include "ui/workstation/workspace.h"
@@ -15,44 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr float kDetailsEms = 22.0f;
-
-void install(LargePhoto& large, const fs::path& file, Image<glm::u8vec4> picture) {
-  if (large.file != file) return;  // another photo was asked for meanwhile
-  large.picture = std::make_shared<const Image<glm::u8vec4>>(std::move(picture));
-  ++large.revision;
-}
-
-// Asks for the photo in full, once for each state of its file.
-void follow_large(Workspace& workspace, const PhotoRow& row, const ShelvedPhoto& photo) {
-  LargePhoto& large = workspace.photos.large;
-  if (large.file == row.file && large.stamp == photo.stamp) return;
-  large.file = row.file;
-  large.stamp = photo.stamp;
-  large.picture = nullptr;
-  workspace.jobs.start(
-      "Opening " + row.name,
-      [decoders = workspace.photos.shelf.decoders, file = row.file,
-       limits = decode_limits(workspace.project().recipe.photo)](Progress& progress) {
-        progress.begin("decoding", 1);
-        return large_photo(*decoders, file, limits, progress);
-      },
-      [&workspace, file = row.file](Image<glm::u8vec4> picture) {
-        install(workspace.photos.large, file, std::move(picture));
-      },
-      Lane::interactive, "large photo");
-}
-
-// The full photo where it is there, else its thumbnail.
-Texture best_picture(Workspace& workspace, const PhotoRow& row) {
-  const LargePhoto& large = workspace.photos.large;
-  if (large.file != row.file || !large.picture) return thumbnail_of(workspace, row.file);
-  return workspace.pictures.show("photos/large", large.revision, [&] { return *large.picture; });
-}
-
-glm::dvec2 shown_size(const PhotoFacts& facts) {
-  return upright_size({facts.decoded.width_px, facts.decoded.height_px},
-                      facts.decoded.metadata.orientation);
-}
 
 void step_to(Workspace& workspace, int by) {
   const auto& rows = workspace.photos.shelf.rows;
@@ -104,8 +65,7 @@ void draw_details(const PhotoRow& row, const ShelvedPhoto& photo) {
 }  // namespace
 
 void show_photo(Workspace& workspace, const fs::path& photo) {
-  // One that was stopped on its way is asked for again
-  if (!workspace.photos.large.picture) workspace.photos.large.file.clear();
+  ask_again(workspace.photos.large);
   workspace.photos.shown = photo;
   workspace.photos.view = {};
 }
@@ -123,11 +83,12 @@ void draw_photo_detail(Workspace& workspace) {
     badge(row.tone, row.word);
     return paragraph(row.name + ": " + row.reason);
   }
-  follow_large(workspace, row, *photo);
+  follow_large(workspace, state.large, row, "large photo");
   const float width = kDetailsEms * ImGui::GetFontSize();
   const ImVec2 left = ImGui::GetContentRegionAvail();
-  draw_image_view("photos/view", state.view, best_picture(workspace, row), shown_size(photo->facts),
-                  {std::max(1.0f, left.x - width), left.y});
+  draw_image_view("photos/view", state.view,
+                  best_picture(workspace, state.large, row, "photos/large"),
+                  upright_size_of(photo->facts), {std::max(1.0f, left.x - width), left.y});
   ImGui::SameLine();
   ImGui::BeginChild("details");
   draw_details(row, *photo);

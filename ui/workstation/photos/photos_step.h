@@ -1,25 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <set>
 #include <string>
 
 #include "ui/widgets/image_view.h"
 #include "ui/workstation/notice.h"
-#include "ui/workstation/photos/photo_shelf.h"
+#include "ui/workstation/photos/large_photo.h"
 
 namespace bosk {
 
 struct Workspace;
-
-// The photo that is shown large, as it comes from a job.
-struct LargePhoto {
-  std::filesystem::path file;
-  FileStamp stamp;
-  std::shared_ptr<const Image<glm::u8vec4>> picture;  // upright; null until it is there
-  std::uint64_t revision = 0;
-};
 
 // What the step remembers between frames.
 struct PhotosStepState {
