@@ -40,12 +40,14 @@ PartialScene all_known(const BundleState& state) {
           {state.points.begin(), state.points.end()}};
 }
 
-void repair_cameras(const SeedScene& scene, double loss_scale, BundleState& state) {
+void repair_cameras(const SeedScene& scene, double loss_scale, BundleState& state,
+                    const Progress& progress) {
   const auto errors = sighting_errors(*scene.problem, state);
   const PartialScene partial = all_known(state);
   for (std::size_t i = 0; i < scene.cameras(); ++i) {
     const double cost = cost_of(errors, *scene.problem, scene.of_camera[i], loss_scale);
     if (!is_doubtful(cost, scene.of_camera[i].size(), loss_scale)) continue;
+    progress.check();
     const auto sightings = pose_sightings(scene, partial, i);
     const auto poses = place_camera(sightings, loss_scale);
     if (!poses.empty() && poses.front().cost < 0.9 * cost)
@@ -76,7 +78,7 @@ void begin_solve(const BundleProblem& problem, SolvedSeed& seed, Progress& progr
   const BundleProblem fixed = with_lens_stage(problem, 0);
   solve_bundle(fixed, seed.state, {120.0, 8}, progress);
   solve_bundle(fixed, seed.state, {60.0, 6}, progress);
-  repair(problem, lens_in(problem, seed.state), 60.0, seed.state);
+  repair(problem, lens_in(problem, seed.state), 60.0, seed.state, progress);
   seed.cost = solve_bundle(fixed, seed.state, {30.0, 8}, progress);
   progress.advance();
 }
@@ -84,12 +86,12 @@ void begin_solve(const BundleProblem& problem, SolvedSeed& seed, Progress& progr
 void end_solve(const BundleProblem& problem, SolvedSeed& seed, double final_loss,
                Progress& progress) {
   const BundleProblem focal = with_lens_stage(problem, 1);
-  repair(problem, lens_in(problem, seed.state), 30.0, seed.state);
+  repair(problem, lens_in(problem, seed.state), 30.0, seed.state, progress);
   solve_bundle(focal, seed.state, {30.0, 10}, progress);
   solve_bundle(focal, seed.state, {std::max(16.0, final_loss), 8}, progress);
-  repair(problem, lens_in(problem, seed.state), std::max(16.0, final_loss), seed.state);
+  repair(problem, lens_in(problem, seed.state), std::max(16.0, final_loss), seed.state, progress);
   solve_bundle(problem, seed.state, {std::max(8.0, final_loss), 10}, progress);
-  repair(problem, lens_in(problem, seed.state), std::max(8.0, final_loss), seed.state);
+  repair(problem, lens_in(problem, seed.state), std::max(8.0, final_loss), seed.state, progress);
   seed.cost = solve_bundle(problem, seed.state, {final_loss, 40}, progress);
   progress.advance();
 }
@@ -110,11 +112,12 @@ void drop_hopeless(std::vector<SolvedSeed>& seeds, std::size_t cameras) {
 
 }  // namespace
 
-void repair(const BundleProblem& problem, const Lens& lens, double loss_scale, BundleState& state) {
+void repair(const BundleProblem& problem, const Lens& lens, double loss_scale, BundleState& state,
+            const Progress& progress) {
   const SeedScene scene = seed_scene(problem, state.intrinsics, lens,
                                      state.camera_from_world.size(), state.points.size());
   repair_points(scene, loss_scale, state);
-  repair_cameras(scene, loss_scale, state);
+  repair_cameras(scene, loss_scale, state, progress);
 }
 
 BundleProblem with_lens_stage(const BundleProblem& problem, int count) {

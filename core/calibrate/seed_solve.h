@@ -25,8 +25,9 @@ std::vector<SolvedSeed> solve_seeds(const BundleProblem& problem, const SeedScen
                                     std::vector<Seed> seeds, double final_loss, Progress& progress);
 
 // Places anew what fits badly at `loss_scale` (P3P for cameras, rays for points) where that costs
-// less.
-void repair(const BundleProblem& problem, const Lens& lens, double loss_scale, BundleState& state);
+// less. Throws Cancelled.
+void repair(const BundleProblem& problem, const Lens& lens, double loss_scale, BundleState& state,
+            const Progress& progress);
 
 // The problem with only the first `count` kinds of intrinsics free: 0 none, 1 focal length, 2 all
 // that were.

@@ -55,7 +55,7 @@ std::vector<KnownSighting> known_sightings(const Solution& solution, int camera)
 // Cameras that settled on a wrong sighting are placed anew where that fits more right ones.
 void reconsider(const BundleProblem& problem, Solution& solution, const Progress& progress) {
   repair(problem, lens_of(problem.family, solution.state.intrinsics, 1, 1), solution.loss,
-         solution.state);
+         solution.state, progress);
   solve_bundle(problem, solution.state, {solution.loss, 30}, progress);
 }
 
