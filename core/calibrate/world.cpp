@@ -17,6 +17,9 @@ using Matrix7 = Eigen::Matrix<double, 7, 7>;
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 
 constexpr double kAlignLoss = 20.0;  // sigmas; the points aren't yet as good as the tapes
+// Holds what no row tells against the rounding of its slope, which would move the world by
+// millions.
+constexpr double kLeastDamping = 1e-9;
 
 // The survey alone, bodies as lengths between their points, so that only points and cameras count.
 BundleProblem survey_of(const BundleProblem& problem, const BundleState& state) {
@@ -105,7 +108,7 @@ double align(const BundleProblem& survey, BundleState& state, double loss_scale)
     const bool settled = cost - next_cost < 1e-9 * cost;
     state = next;
     cost = next_cost;
-    damping /= 100.0;
+    damping = std::max(damping / 100.0, kLeastDamping);
     if (settled) break;
   }
   return cost;

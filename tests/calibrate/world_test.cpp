@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/calibrate/bundle_normal.h"
 #include "core/geometry/rotation.h"
 #include "orbit.h"
@@ -66,6 +67,30 @@ TEST(PlaceInWorld, ThreeHeightsAloneGiveNoScale) {
     bundle.problem.coordinates.push_back({i, 2, true_point(i).z, 0.005, true});
   const Determined determined = place_in_world(bundle.problem, bundle.state);
   EXPECT_FALSE(determined.scale && determined.up);
+}
+
+// What sticks don't tell, place and scale, must not run away while they are set upright.
+TEST(PlaceInWorld, LeaningSticksAloneGiveUpAndKeepTheScene) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const OrbitOptions options{.seed = seed, .photos = 12, .gross = 0.0, .feet = true};
+    OrbitBundle bundle = misplaced(options);
+    Random random(seed);
+    for (int top = 0; top < int(bundle.state.points.size()); top += 2) {
+      bundle.problem.plumbs.push_back({top, top + 1});
+      bundle.state.points[std::size_t(top)] +=
+          0.004 * glm::dvec3(random.normal(), random.normal(), random.normal());
+    }
+    const BundleState before = bundle.state;
+    const Determined determined = place_in_world(bundle.problem, bundle.state);
+    EXPECT_TRUE(determined.up);
+    EXPECT_FALSE(determined.scale || determined.place);
+    const auto apart = [](const BundleState& state, std::size_t i) {
+      return glm::distance(state.points[0], state.points[i]);
+    };
+    const double growth = apart(bundle.state, 1) / apart(before, 1);
+    for (std::size_t i = 2; i < before.points.size(); ++i)  // rounding of coordinates about 10
+      EXPECT_NEAR(apart(bundle.state, i) / apart(before, i), growth, 1e-9 * growth) << seed;
+  }
 }
 
 TEST(PlaceInWorld, SurveyedPointsGiveAll) {
