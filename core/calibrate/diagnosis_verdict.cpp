@@ -169,6 +169,13 @@ std::string reason_to_refuse(const Solution& solution, const SolveQuestion& ques
   return {};
 }
 
+// Whether no tape, height or surveyed place had to be left out.
+bool measures_agree(const BundleProblem& problem) {
+  const auto is_used = [](const auto& row) { return row.used; };
+  return std::all_of(problem.lengths.begin(), problem.lengths.end(), is_used) &&
+         std::all_of(problem.coordinates.begin(), problem.coordinates.end(), is_used);
+}
+
 }  // namespace
 
 void judge_photos(const Solution& solution, const SolveQuestion& question,
@@ -193,7 +200,8 @@ void judge(const Solution& solution, const SolveQuestion& question, double noise
   const std::string refusal = reason_to_refuse(solution, question, noise, calibration);
   const int refused = count_of(calibration, PhotoFate::refused);
   const int uncertain = count_of(calibration, PhotoFate::uncertain);
-  const bool all_good = refused + uncertain == 0 && calibration.scale_known && calibration.up_known;
+  const bool all_good = refused + uncertain == 0 && calibration.scale_known &&
+                        calibration.up_known && measures_agree(solution.input.problem);
   calibration.verdict = !refusal.empty() ? Verdict::refused
                         : all_good       ? Verdict::good
                                          : Verdict::usable;

@@ -164,6 +164,7 @@ TEST(SolveCameras, AWrongTapeIsNamedAmongGoodOnes) {
   survey.tapes[1].length_m += 0.1;
   const Calibration calibration = solve(orbit, survey, true);
   EXPECT_THAT(sentences_of(calibration), HasSubstr("the tape from green to orange"));
+  EXPECT_NE(calibration.verdict, Verdict::good);
   EXPECT_LT(std::abs(orbit_errors(orbit, calibration).scale_error), 0.003);
 }
 

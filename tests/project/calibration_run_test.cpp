@@ -179,5 +179,24 @@ TEST(CameraWheel, ShowsEveryCameraAndWhereToReshoot) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(StoredCalibration, IsTheRefinedOneOnlyWhereThatIsAskedForAndDone) {
+  const ScratchFolder scratch;
+  const Cache cache(scratch.path());
+  CalibrationSources sources;
+  store_calibration(sources, sample(), 1.0, cache);
+  sources.options.refine = "silhouettes";
+  ASSERT_TRUE(stored_calibration(sources, cache)) << "the solved one serves until then";
+  EXPECT_FALSE(stored_refinement(sources, cache));
+  Calibration refined = sample();
+  refined.cameras[0].camera_from_world.translation.x += 0.25;
+  store_refinement(sources, refined, 1.0, cache);
+  const auto first_x = [&] {
+    return stored_calibration(sources, cache)->cameras[0].camera_from_world.translation.x;
+  };
+  EXPECT_EQ(first_x(), refined.cameras[0].camera_from_world.translation.x);
+  sources.options.refine = "none";
+  EXPECT_EQ(first_x(), sample().cameras[0].camera_from_world.translation.x);
+}
+
 }  // namespace
 }  // namespace bosk
