@@ -83,8 +83,8 @@ Options describe(CalibrateOptions& options) {
   append(feature_options(options), all);
   append(lens_options(options), all);
   append({choice("refine",
-                 "silhouettes turns the cameras a little where the mattes then agree better; paint "
-                 "or give mattes first",
+                 "silhouettes turns the cameras a little where the mattes then agree better; needs "
+                 "mattes; done by `bosk calibrate` or Find markers, not after each click",
                  options.refine, {"none", "silhouettes"}),
           number("crown_px", "px",
                  "uncertainty at the crown, one sigma, above which a photo is called uncertain",

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/system_error.h"
 #include "core/project/calibration_run.h"
 #include "core/project/run.h"
@@ -24,21 +24,16 @@ void require_mattes(const Project& project) {
 }
 
 std::string text_of(const PoseRefinement& refined) {
-  char text[200];
+  const std::string before = number_text(refined.error_before, 4);
+  const std::string after = number_text(refined.error_after, 4);
   if (!refined.accepted) {
-    std::snprintf(
-        text, sizeof text,
-        "the mattes would not agree better with turned cameras (error of alpha %.4f, then "
-        "%.4f): they stay as solved",
-        refined.error_before, refined.error_after);
-    return text;
+    return "the mattes would not agree better with turned cameras (error of alpha " + before +
+           ", then " + after + "): they stay as solved";
   }
   const double most = *std::max_element(refined.moved_px.begin(), refined.moved_px.end());
-  std::snprintf(text, sizeof text,
-                "cameras were turned by up to %.1f px at the crown, after which the mattes agree "
-                "better (error of alpha %.4f instead of %.4f)",
-                most, refined.error_after, refined.error_before);
-  return text;
+  return "cameras were turned by up to " + number_text(most, 1) +
+         " px at the crown, after which the mattes agree better (error of alpha " + after +
+         " instead of " + before + ")";
 }
 
 void take_poses(const Photos& photos, const PoseRefinement& refined, Calibration& calibration) {

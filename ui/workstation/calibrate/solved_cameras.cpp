@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/calibrate/lens_pictures.h"
+#include "core/project/calibration_refine.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -100,6 +101,8 @@ Outcome found(const Project& project, Progress& progress) {
     }
     const ProgressPart part(progress, 0.85, 1.0);
     solve(outcome, cache, progress);
+    outcome.calibration =
+        std::make_shared<const Calibration>(calibrate_project(project, sources, cache, progress));
   });
 }
 

@@ -51,8 +51,8 @@ void follow_calibration(Workspace& workspace);
 // Tells of jobs that were stopped. Once a frame.
 void follow_calibration_jobs(Workspace& workspace);
 
-// Looks through all photos, then solves: a job in the list. What was found before comes from the
-// cache.
+// Looks through all photos, then solves and, where the option asks for it, refines by the mattes: a
+// job in the list. What was found before comes from the cache.
 void find_markers(Workspace& workspace);
 
 SolveState solve_state(const Workspace& workspace);
