@@ -1,5 +1,6 @@
 #include "core/calibrate/diagnosis_lens.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/number_text.h"
@@ -14,15 +15,22 @@ constexpr double kOther = 0.005;      // relative, by which it must differ
 
 std::string pixels(double focal_px) { return number_text(focal_px, 0) + " px"; }
 
-std::optional<std::string> free_lens_doubt(const Solution& solution, const LensKnowledge& knowledge,
+// Else the first guess was nobody's word, and says nothing when it was far off.
+bool has_exif(std::span<const PhotoSightings> photos) {
+  return std::any_of(photos.begin(), photos.end(),
+                     [](const PhotoSightings& photo) { return photo.exif_focal_px.has_value(); });
+}
+
+std::optional<std::string> free_lens_doubt(const Solution& solution, const SolveQuestion& question,
                                            const BundleCovariance& covariance) {
-  const double focal_px = solution.state.intrinsics[0], guess_px = knowledge.lens.focal_px.x;
+  const double focal_px = solution.state.intrinsics[0];
+  const double guess_px = question.lens.lens.focal_px.x;
   const double sigma_px = std::sqrt(covariance.aligned_lens_and_camera(0)(0, 0));
   if (sigma_px > kWeak * focal_px)
     return "the photos tell the focal length to " + number_text(100.0 * sigma_px / focal_px, 1) +
            " % only: photograph a board with the same lens, or add markers nearer and farther "
            "away";
-  if (std::abs(focal_px / guess_px - 1.0) > kFarOff)
+  if (has_exif(question.photos) && std::abs(focal_px / guess_px - 1.0) > kFarOff)
     return "the photos say a focal length of " + pixels(focal_px) + ", and the first guess was " +
            pixels(guess_px) +
            ": their EXIF is wrong, or they were cropped or scaled; what the "
@@ -49,7 +57,7 @@ std::optional<std::string> lens_doubt(const Solution& solution, const SolveQuest
                                       const BundleCovariance& covariance,
                                       const Progress& progress) {
   if (question.lens.known) return known_lens_doubt(solution, progress);
-  return free_lens_doubt(solution, question.lens, covariance);
+  return free_lens_doubt(solution, question, covariance);
 }
 
 }  // namespace bosk

@@ -10,6 +10,7 @@ namespace bosk {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 // Twelve photos of ten markers with half a pixel of noise: whatever is wrong is what a test adds.
 Orbit clean_orbit(std::uint64_t seed) {
@@ -163,13 +164,23 @@ TEST(Diagnosis, PhotosFromOnePlaceAreRefused) {
 }
 
 TEST(Diagnosis, AFocalLengthThatExifGetsWrongIsFoundAndSaid) {
-  const Orbit orbit = clean_orbit(15);
+  Orbit orbit = clean_orbit(15);
   for (const double ratio : {0.7, 1.3}) {
+    for (PhotoSightings& photo : orbit.photos) photo.exif_focal_px = ratio * orbit.lens.focal_px.x;
     const Calibration calibration = solve(orbit, false, ratio);
     ASSERT_NE(calibration.verdict, Verdict::refused) << sentences_of(calibration);
     EXPECT_NEAR(calibration.lens.focal_px.x / orbit.lens.focal_px.x, 1.0, 0.02);
     EXPECT_THAT(sentences_of(calibration), HasSubstr("EXIF is wrong"));
   }
+}
+
+TEST(Diagnosis, ExifIsNotBlamedWhereThereIsNone) {
+  Orbit orbit = clean_orbit(15);
+  for (PhotoSightings& photo : orbit.photos) photo.exif_focal_px.reset();
+  const Calibration calibration = solve(orbit, false, 1.3);
+  ASSERT_NE(calibration.verdict, Verdict::refused) << sentences_of(calibration);
+  EXPECT_NEAR(calibration.lens.focal_px.x / orbit.lens.focal_px.x, 1.0, 0.02);
+  EXPECT_THAT(sentences_of(calibration), Not(HasSubstr("EXIF")));
 }
 
 TEST(Diagnosis, AKnownLensThatIsWrongIsSaid) {
