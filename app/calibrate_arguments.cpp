@@ -149,8 +149,14 @@ void take_files(const CalibrateArguments& arguments, Project& project) {
   if (!arguments.lens.empty()) inputs.lens = project.relative(arguments.lens);
   if (arguments.replace) project.cameras.clear();
   if (arguments.sightings.empty()) return;
-  for (const auto& [photo, points] : read_sightings_file(arguments.sightings, project)) {
+  const HandFile by_hand = read_sightings_file(arguments.sightings, project);
+  for (const auto& [photo, points] : by_hand.sightings) {
     for (const auto& [point, said] : points) inputs.sightings[photo][point] = said;
+  }
+  for (const auto& [photo, strokes] : by_hand.left_out) {
+    for (const Stroke& stroke : strokes) {
+      put(inputs.left_out[photo], stroke, [&](const Stroke& other) { return other == stroke; });
+    }
   }
 }
 
@@ -201,9 +207,11 @@ void add_calibrate_arguments(CLI::App& command, CalibrateArguments& arguments) {
                   "keep the lens of the board photos for later captures")
       ->type_name("FILE");
   command
-      .add_option("--sightings", arguments.sightings,
-                  "clicks: a JSON list of {\"photo\", \"point\", \"x\", \"y\"}, in pixels of the "
-                  "photo; \"removed\": true instead of x and y takes a wrong find away")
+      .add_option(
+          "--sightings", arguments.sightings,
+          "clicks: a JSON list of {\"photo\", \"point\", \"x\", \"y\"}, in pixels of the "
+          "photo; \"removed\": true instead of x and y takes a wrong find away; {\"photo\", "
+          "\"left_out\": [[x, y], ...], \"radius\"} leaves out sky or what moves")
       ->type_name("FILE.json");
   command
       .add_option("--report", arguments.report,

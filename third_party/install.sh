@@ -10,7 +10,7 @@ packages=(
   # Computing
   libtbb-dev libglm-dev libopencv-dev libembree-dev libeigen3-dev libmrcal-dev libmrgingham-dev
   # Files
-  libopenimageio-dev openimageio-tools libopenexr-dev libimath-dev
+  libopenimageio-dev libexif-dev openimageio-tools libopenexr-dev libimath-dev
   libzstd-dev libxxhash-dev libsquish-dev nlohmann-json3-dev
   # Drawing
   libgl-dev libopengl-dev libegl-dev libgl1-mesa-dri

@@ -56,7 +56,7 @@ Run run_of(const Stroke& stroke, std::span<const dvec2> points) {
 // Neighbours share a point, so that no segment is lost.
 void add_runs(const Stroke& stroke, std::vector<Run>& runs) {
   const std::span<const dvec2> points(stroke.points_px);
-  if (points.empty()) return;
+  if (points.empty() || stroke.kind == StrokeKind::left_out) return;
   for (std::size_t first = 0; first == 0 || first + 1 < points.size(); first += kRunPoints - 1) {
     runs.push_back(
         run_of(stroke, points.subspan(first, std::min(kRunPoints, points.size() - first))));
@@ -72,17 +72,20 @@ double squared_distance(const dvec2& place, const dvec2& from, const dvec2& to) 
   return glm::dot(rest, rest);
 }
 
+bool is_within(double radius_px, std::span<const dvec2> line, const dvec2& place) {
+  const double radius2 = radius_px * radius_px;
+  if (line.size() == 1) return squared_distance(place, line[0], line[0]) <= radius2;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (squared_distance(place, line[i - 1], line[i]) <= radius2) return true;
+  }
+  return false;
+}
+
 bool covers(const Run& run, const dvec2& place) {
   if (place.x < run.low.x || place.y < run.low.y || place.x > run.high.x || place.y > run.high.y) {
     return false;
   }
-  const double radius2 = run.radius_px * run.radius_px;
-  if (run.points.size() == 1)
-    return squared_distance(place, run.points[0], run.points[0]) <= radius2;
-  for (std::size_t i = 1; i < run.points.size(); ++i) {
-    if (squared_distance(place, run.points[i - 1], run.points[i]) <= radius2) return true;
-  }
-  return false;
+  return is_within(run.radius_px, run.points, place);
 }
 
 // Where a working pixel lies in the photo as taken; none outside of it.
@@ -227,6 +230,10 @@ Stroke rounded_stroke(Stroke stroke) {
     }
   }
   return stroke;
+}
+
+bool covers(const Stroke& stroke, const dvec2& place) {
+  return is_within(stroke.radius_px, stroke.points_px, place);
 }
 
 std::optional<dvec2> taken_place(const Photo& photo, const dvec2& working_px) {

@@ -14,7 +14,8 @@
 
 namespace bosk {
 
-enum class StrokeKind : std::uint8_t { background, foreground, erase };
+// What is left out counts in no matte: calibration passes over it (sky, people, cars).
+enum class StrokeKind : std::uint8_t { background, foreground, erase, left_out };
 
 // One sweep of a brush over a photo as it was taken: pixels of original_camera's lens and size,
 // (0, 0) the centre of the first. A stroke of one point is a disc. Erasing makes unknown again what
@@ -39,10 +40,10 @@ inline constexpr double kStrokeStepPx = 1.0 / 16;  // of what is kept: places an
 // points, more than kMaxStrokePoints, or a number that is out of range or none.
 Stroke rounded_stroke(Stroke stroke);
 
-// Paints the strokes, later ones over earlier, into working pixels (values of scribbles.h): each
-// pixel whose place in the photo as taken is no further than the radius from the stroke's line.
-// A stroke thinner than a working pixel may pass between their centres. `scribbles` has the
-// working photo's size, or is empty and is made so, unknown everywhere.
+// Paints the strokes of a matte, later ones over earlier, into working pixels (values of
+// scribbles.h): each pixel whose place in the photo as taken is no further than the radius from the
+// stroke's line. A stroke thinner than a working pixel may pass between their centres. `scribbles`
+// has the working photo's size, or is empty and is made so, unknown everywhere.
 void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo,
                    Image<std::uint8_t>& scribbles);
 // The same within a box of working pixels; the others stay.
@@ -51,6 +52,9 @@ void paint_strokes(const std::vector<Stroke>& strokes, const Photo& photo, const
 
 // A box of working pixels that holds all that the stroke paints, within the photo.
 PixelBox box_of(const Stroke& stroke, const Photo& photo);
+
+// Whether the place, in the same pixels as the stroke, is no further than the radius from its line.
+bool covers(const Stroke& stroke, const glm::dvec2& place);
 
 // Where a place in the photo as taken is in its working pixels, and back; none where a lens gives
 // no answer.

@@ -27,6 +27,7 @@ struct PhotoMetadata {
   std::optional<double> focal_mm, focal_35mm_equivalent_mm;
   std::optional<double> exposure_s, iso, f_number;
   int orientation = 1;  // EXIF, 1 to 8: how to turn the pixels for display; they come unturned
+  std::optional<glm::dvec3> up_in_camera;  // of unit length, by a phone's accelerometer (gravity.h)
   std::string make, model;
 };
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/photo/child_mode.h"
 #include "core/photo/decode_protocol.h"
+#include "core/photo/gravity.h"
 
 // The child's side of decode_photo: the only code that lets a decoder see a stranger's file.
 
@@ -198,6 +199,9 @@ std::vector<std::byte> decode_in_this_process(const std::vector<std::string>& ar
   photo.channels = channels_wanted(spec, photo.notes);
   photo.kind = kind_of(spec);
   photo.metadata = metadata_of(spec);
+  if (format == PhotoFormat::jpeg) {
+    photo.metadata.up_in_camera = up_from_maker_note(arguments[0]);
+  }
   note_colour(spec, photo.kind, photo.notes);
   set_child_cpu_limit(cpu_allowance_s(photo, format));
   read_pixels(*input, photo);

@@ -24,6 +24,14 @@ std::optional<double> read_positive(BinaryReader& reader) {
   return number;
 }
 
+// 0 for none.
+std::optional<glm::dvec3> read_direction(BinaryReader& reader) {
+  const auto direction = reader.value<glm::dvec3>();
+  const double length = glm::length(direction);
+  if (!(length > 0.5 && length < 2.0)) return std::nullopt;
+  return direction / length;
+}
+
 std::string read_text(BinaryReader& reader) {
   return printable(reader.text().substr(0, kMaxTextBytes));
 }
@@ -72,6 +80,7 @@ void write(BinaryWriter& writer, const PhotoMetadata& metadata) {
   write(writer, metadata.iso);
   write(writer, metadata.f_number);
   writer.value(metadata.orientation);
+  writer.value(metadata.up_in_camera.value_or(glm::dvec3(0.0)));
   writer.text(metadata.make);
   writer.text(metadata.model);
 }
@@ -85,6 +94,7 @@ PhotoMetadata read_photo_metadata(BinaryReader& reader) {
   metadata.f_number = read_positive(reader);
   metadata.orientation = reader.value<int>();
   if (metadata.orientation < 1 || metadata.orientation > 8) metadata.orientation = 1;
+  metadata.up_in_camera = read_direction(reader);
   metadata.make = read_text(reader);
   metadata.model = read_text(reader);
   return metadata;

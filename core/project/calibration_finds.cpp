@@ -47,7 +47,8 @@ std::vector<PhotoFinds> readable(std::vector<PhotoFinds> all, CalibrationFinds& 
 }
 
 PhotoSightings sightings_of(const PhotoFinds& photo, const std::vector<BallIdentity>& balls) {
-  PhotoSightings seen{photo.name, photo.width_px, photo.height_px, photo.exif_focal_px, {}, {}};
+  PhotoSightings seen{photo.name,          photo.width_px,     photo.height_px,
+                      photo.exif_focal_px, photo.up_in_camera, {}};
   append(ball_sightings(photo.balls, balls), seen.sightings);
   append(tag_sightings(photo.tags), seen.sightings);
   append(board_sightings(photo.corners), seen.sightings);

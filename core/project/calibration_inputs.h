@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/calibrate/survey.h"
+#include "core/matte/strokes.h"
 
 namespace bosk {
 
@@ -32,12 +33,13 @@ struct Measurements {
 // What calibration takes from a person, beside the photos and the options.
 struct CalibrationInputs {
   HandSightings sightings;
+  Strokes left_out;  // where nothing is to be found: sky, and what moves (left_out.h)
   Measurements measurements;
   std::filesystem::path boards;  // folder with photos of a board, for the lens
   std::filesystem::path lens;    // a lens profile (core/calibrate/lens_profile.h)
 
   bool empty() const {
-    return sightings.empty() && measurements.empty() && boards.empty() && lens.empty();
+    return sightings.empty() && left_out.empty() && measurements.empty() && boards.empty() && lens.empty();
   }
 };
 

@@ -7,6 +7,7 @@
 #include "core/base/system_error.h"
 #include "core/project/binary_items.h"
 #include "core/project/calibration_store.h"
+#include "core/project/left_out.h"
 
 namespace bosk {
 namespace {
@@ -89,12 +90,15 @@ ContentHash refinement_key(const CalibrationSources& sources) {
 
 }  // namespace
 
-std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds, const HandSightings& told,
+std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds,
+                                           const CalibrationSources& sources,
                                            std::vector<std::string>& sentences) {
   std::vector<PhotoSightings> photos = finds.photos;
   for (PhotoSightings& photo : photos) {
-    const auto said = told.find(photo.photo);
-    if (said != told.end()) tell(said->second, photo, sentences);
+    const auto left_out = sources.left_out.find(photo.photo);
+    if (left_out != sources.left_out.end()) leave_out(left_out->second, photo);
+    const auto said = sources.sightings.find(photo.photo);
+    if (said != sources.sightings.end()) tell(said->second, photo, sentences);
   }
   return photos;
 }
@@ -102,7 +106,7 @@ std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds, const 
 Calibration solve_calibration(const CalibrationFinds& finds, const CalibrationSources& sources,
                               Progress& progress) {
   std::vector<std::string> sentences = finds.sentences;
-  const auto photos = told_sightings(finds, sources.sightings, sentences);
+  const auto photos = told_sightings(finds, sources, sentences);
   Survey survey = survey_of(sources.measurements);
   survey.bodies = finds.bodies;
   SolveOptions options;

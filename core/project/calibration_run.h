@@ -40,8 +40,9 @@ std::string refusal_of(const Calibration& calibration);
 // Throws Error that says so when no cameras are given.
 void require_cameras(const Calibration& calibration);
 
-// What the solve takes: the finds with a person's say over them.
-std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds, const HandSightings& told,
+// What the solve takes: the finds with a person's say over them, without what is left out.
+std::vector<PhotoSightings> told_sightings(const CalibrationFinds& finds,
+                                           const CalibrationSources& sources,
                                            std::vector<std::string>& sentences);
 
 }  // namespace bosk

@@ -6,13 +6,14 @@
 #include "core/base/system_error.h"
 #include "core/photo/import.h"
 #include "core/photo/photo_format.h"
+#include "core/project/left_out.h"
 
 namespace bosk {
 namespace fs = std::filesystem;
 namespace {
 
 // Raised whenever the same sources give another calibration.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 FilesByName board_files(const fs::path& folder) {
   FilesByName photos;
@@ -55,6 +56,23 @@ void hash_measurements(ContentHasher& hasher, const Measurements& measurements) 
   }
 }
 
+// What is told of photos that the project has; a remark for each other.
+template <class Told>
+void take_of_photos(const std::string& what, const Told& told, CalibrationSources& sources,
+                    Told& taken) {
+  for (const auto& [name, things] : told) {
+    const bool is_photo =
+        std::any_of(sources.photos.begin(), sources.photos.end(),
+                    [&photo = name](const SourceFile& file) { return file.name == photo; });
+    if (is_photo) {
+      taken[name] = things;
+    } else {
+      sources.remarks.push_back(what + " on " + printable(name) +
+                                " are not used: the project has no photo of that name");
+    }
+  }
+}
+
 }  // namespace
 
 CalibrationSources gather_calibration(const Project& project) {
@@ -80,19 +98,11 @@ CalibrationSources gather_calibration(const Project& project) {
 
 void take_inputs(CalibrationSources& sources, const CalibrationInputs& inputs) {
   sources.sightings.clear();
+  sources.left_out.clear();
   sources.remarks.clear();
   sources.measurements = inputs.measurements;
-  for (const auto& [name, points] : inputs.sightings) {
-    const bool is_photo =
-        std::any_of(sources.photos.begin(), sources.photos.end(),
-                    [&photo = name](const SourceFile& file) { return file.name == photo; });
-    if (is_photo) {
-      sources.sightings[name] = points;
-    } else {
-      sources.remarks.push_back("clicks on " + printable(name) +
-                                " are not used: the project has no photo of that name");
-    }
-  }
+  take_of_photos("clicks", inputs.sightings, sources, sources.sightings);
+  take_of_photos("parts left out", inputs.left_out, sources, sources.left_out);
 }
 
 ContentHash calibration_key(const CalibrationSources& sources) {
@@ -107,6 +117,7 @@ ContentHash calibration_key(const CalibrationSources& sources) {
     hasher.value(sources.profile->content.high).value(sources.profile->content.low);
   }
   hash_sightings(hasher, sources.sightings);
+  hash_left_out(hasher, sources.left_out);
   hash_measurements(hasher, sources.measurements);
   return hasher.finish();
 }

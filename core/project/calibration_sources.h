@@ -18,6 +18,7 @@ struct CalibrationSources {
   std::vector<SourceFile> boards;     // photos of a board, by name
   std::optional<SourceFile> profile;  // of the lens
   HandSightings sightings;            // of the project's photos alone
+  Strokes left_out;                   // the same
   Measurements measurements;
   CalibrateOptions options;
   DecodeLimits limits;               // no part of the result

@@ -39,6 +39,12 @@ std::string files_name(FileKind which) {
   return kNames[std::size_t(which)];
 }
 
+// Strokes of mattes and of calibration are kept apart, so that neither outdates the other.
+Strokes& strokes_for(const AddStroke& edit, Project& project) {
+  const bool left_out = edit.stroke.kind == StrokeKind::left_out;
+  return left_out ? project.calibration.left_out : project.strokes;
+}
+
 void remove_stroke(const AddStroke& edit, Strokes& strokes) {
   const auto photo = strokes.find(edit.photo);
   if (photo == strokes.end()) return;
@@ -77,6 +83,15 @@ void set_sightings(const SetSightings& edit, std::optional<HandSighting> SetSigh
   sightings = std::move(trial);
 }
 
+// Measurements and sightings: both or, when one doesn't fit, neither.
+void rename_point(const RenamePoint& edit, std::optional<HandSighting> SetSighting::*seen,
+                  Measurements SetMeasurements::*measured, Project& project) {
+  const Measurements& wanted = edit.measured.*measured;
+  check(wanted);
+  set_sightings(edit.seen, seen, project.calibration.sightings);
+  project.calibration.measurements = wanted;
+}
+
 void set_measurements(const Measurements& wanted, Project& project) {
   check(wanted);
   project.calibration.measurements = wanted;
@@ -107,10 +122,13 @@ std::string title_of(const SetFiles& edit) {
 }
 
 std::string title_of(const AddStroke& edit) {
+  if (edit.stroke.kind == StrokeKind::left_out) return "leaving out a part of " + edit.photo;
   return (edit.stroke.kind == StrokeKind::erase ? "erasing on " : "stroke on ") + edit.photo;
 }
 
 std::string title_of(const ClearStrokes& edit) { return "clearing the strokes on " + edit.photo; }
+
+std::string title_of(const UseAll& edit) { return "using all of " + edit.photo; }
 
 std::string title_of(const SetSighting& edit) {
   const std::string where = edit.point + " on " + edit.photo;
@@ -120,6 +138,8 @@ std::string title_of(const SetSighting& edit) {
 }
 
 std::string title_of(const SetSightings& edit) { return edit.what; }
+
+std::string title_of(const RenamePoint& edit) { return edit.seen.what; }
 
 // What one list gained or lost by one item.
 std::string title_of(const SetMeasurements& edit) {
@@ -141,6 +161,11 @@ void require_text(const std::string& text) {
   throw Error(printable(text) + ": the name is not valid UTF-8; rename the file");
 }
 
+void check_strokes(const std::string& photo, std::vector<Stroke>& strokes) {
+  require_text(photo);
+  for (Stroke& stroke : strokes) stroke = rounded_stroke(std::move(stroke));
+}
+
 void check_sighting(const SetSighting& edit) {
   require_text(edit.photo);
   require_text(edit.point);
@@ -157,11 +182,22 @@ void require_different(const std::vector<SetSighting>& sightings) {
   }
 }
 
+void check_sightings(const SetSightings& edit) {
+  require_text(edit.what);
+  for (const SetSighting& one : edit.sightings) check_sighting(one);
+  require_different(edit.sightings);
+}
+
 // All or, when one doesn't fit, none.
 void set_options(const SetOptions& edit, std::string SetOption::*value, Recipe& recipe) {
   Recipe trial = recipe;
   for (const SetOption& set : edit.options) set_option(trial, set.name, set.*value);
   recipe = trial;
+}
+
+std::vector<Stroke> drawn_on(const std::string& photo, const Strokes& strokes) {
+  const auto drawn = strokes.find(photo);
+  return drawn == strokes.end() ? std::vector<Stroke>() : drawn->second;
 }
 
 }  // namespace
@@ -174,9 +210,10 @@ void apply(const Edit& edit, Project& project) {
           [&](const SetFiles& set) { files_of(project, set.which) = set.after; },
           [&](const AddStroke& add) {
             Stroke stroke = rounded_stroke(add.stroke);
-            project.strokes[add.photo].push_back(std::move(stroke));
+            strokes_for(add, project)[add.photo].push_back(std::move(stroke));
           },
           [&](const ClearStrokes& clear) { project.strokes.erase(clear.photo); },
+          [&](const UseAll& all) { project.calibration.left_out.erase(all.photo); },
           [&](const SetOptions& set) { set_options(set, &SetOption::after, project.recipe); },
           [&](const SetSighting& set) {
             set_sighting(set, set.after, project.calibration.sightings);
@@ -185,6 +222,9 @@ void apply(const Edit& edit, Project& project) {
             set_sightings(set, &SetSighting::after, project.calibration.sightings);
           },
           [&](const SetMeasurements& set) { set_measurements(set.after, project); },
+          [&](const RenamePoint& rename) {
+            rename_point(rename, &SetSighting::after, &SetMeasurements::after, project);
+          },
       },
       edit);
 }
@@ -195,9 +235,12 @@ void revert(const Edit& edit, Project& project) {
           [&](const SetOption& set) { set_option(project.recipe, set.name, set.before); },
           [&](const SetPhotos& set) { project.photos = set.before; },
           [&](const SetFiles& set) { files_of(project, set.which) = set.before; },
-          [&](const AddStroke& add) { remove_stroke(add, project.strokes); },
+          [&](const AddStroke& add) { remove_stroke(add, strokes_for(add, project)); },
           [&](const ClearStrokes& clear) {
             set_strokes(clear.photo, clear.before, project.strokes);
+          },
+          [&](const UseAll& all) {
+            set_strokes(all.photo, all.before, project.calibration.left_out);
           },
           [&](const SetOptions& set) { set_options(set, &SetOption::before, project.recipe); },
           [&](const SetSighting& set) {
@@ -207,6 +250,9 @@ void revert(const Edit& edit, Project& project) {
             set_sightings(set, &SetSighting::before, project.calibration.sightings);
           },
           [&](const SetMeasurements& set) { set_measurements(set.before, project); },
+          [&](const RenamePoint& rename) {
+            rename_point(rename, &SetSighting::before, &SetMeasurements::before, project);
+          },
       },
       edit);
 }
@@ -226,10 +272,8 @@ Edit checked_edit(Edit edit, const Project& project) {
                    require_text(add.photo);
                    add.stroke = rounded_stroke(std::move(add.stroke));
                  },
-                 [](ClearStrokes& clear) {
-                   require_text(clear.photo);
-                   for (Stroke& stroke : clear.before) stroke = rounded_stroke(std::move(stroke));
-                 },
+                 [](ClearStrokes& clear) { check_strokes(clear.photo, clear.before); },
+                 [](UseAll& all) { check_strokes(all.photo, all.before); },
                  [&](const SetOptions& set) {
                    require_text(set.what);
                    for (const SetOption& option : set.options) {
@@ -239,12 +283,12 @@ Edit checked_edit(Edit edit, const Project& project) {
                    set_options(set, &SetOption::after, trial);
                  },
                  [](const SetSighting& set) { check_sighting(set); },
-                 [](const SetSightings& set) {
-                   require_text(set.what);
-                   for (const SetSighting& one : set.sightings) check_sighting(one);
-                   require_different(set.sightings);
-                 },
+                 [](const SetSightings& set) { check_sightings(set); },
                  [](const SetMeasurements& set) { check(set.after); },
+                 [](const RenamePoint& rename) {
+                   check_sightings(rename.seen);
+                   check(rename.measured.after);
+                 },
              },
              edit);
   return edit;
@@ -280,8 +324,11 @@ SetFiles files_edit(const Project& project, FileKind which, const fs::path& afte
 }
 
 ClearStrokes clear_edit(const Project& project, const std::string& photo) {
-  const auto drawn = project.strokes.find(photo);
-  return {photo, drawn == project.strokes.end() ? std::vector<Stroke>() : drawn->second};
+  return {photo, drawn_on(photo, project.strokes)};
+}
+
+UseAll use_all_edit(const Project& project, const std::string& photo) {
+  return {photo, drawn_on(photo, project.calibration.left_out)};
 }
 
 SetSighting sighting_edit(const Project& project, const std::string& photo,

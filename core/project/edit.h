@@ -35,6 +35,7 @@ struct SetFiles {
   std::filesystem::path before, after;
   bool operator==(const SetFiles&) const = default;
 };
+// A stroke of a matte or, by its kind, of what calibration leaves out.
 struct AddStroke {
   std::string photo;  // its name
   Stroke stroke;
@@ -45,13 +46,19 @@ struct ClearStrokes {
   std::vector<Stroke> before;  // all that the photo has
   bool operator==(const ClearStrokes&) const = default;
 };
+// The same of what calibration leaves out.
+struct UseAll {
+  std::string photo;
+  std::vector<Stroke> before;
+  bool operator==(const UseAll&) const = default;
+};
 // Of calibration: where a point is seen in a photo, that it isn't, or (none) that nothing is said.
 struct SetSighting {
   std::string photo, point;
   std::optional<HandSighting> before, after;
   bool operator==(const SetSighting&) const = default;
 };
-// Several at once: clicks from a file, a ball renamed in all photos.
+// Several at once: clicks from a file, a ball taken for another in a photo.
 struct SetSightings {
   std::string what;  // for the title: "clicks.json"
   std::vector<SetSighting> sightings;
@@ -61,8 +68,14 @@ struct SetMeasurements {
   Measurements before, after;
   bool operator==(const SetMeasurements&) const = default;
 };
+// A point under another name, wherever it is seen and measured.
+struct RenamePoint {
+  SetSightings seen;
+  SetMeasurements measured;
+  bool operator==(const RenamePoint&) const = default;
+};
 using Edit = std::variant<SetOption, SetPhotos, SetFiles, AddStroke, ClearStrokes, SetOptions,
-                          SetSighting, SetSightings, SetMeasurements>;
+                          SetSighting, SetSightings, SetMeasurements, RenamePoint, UseAll>;
 
 // `apply` sets what the edit says, whatever was there; `revert` puts back what was before it, also
 // when something else changed in between: an option its `before`, of a photo's strokes the last
@@ -85,6 +98,7 @@ SetOptions recipe_edit(const Project& project, const std::string& what, const Re
 SetPhotos photos_edit(const Project& project, std::vector<std::filesystem::path> after);
 SetFiles files_edit(const Project& project, FileKind which, const std::filesystem::path& after);
 ClearStrokes clear_edit(const Project& project, const std::string& photo);
+UseAll use_all_edit(const Project& project, const std::string& photo);
 SetSighting sighting_edit(const Project& project, const std::string& photo,
                           const std::string& point, const std::optional<HandSighting>& after);
 SetMeasurements measurements_edit(const Project& project, Measurements after);

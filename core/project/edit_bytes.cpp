@@ -83,6 +83,10 @@ void write(BinaryWriter& writer, const ClearStrokes& edit) {
   writer.text(edit.photo);
   write_list(writer, edit.before);
 }
+void write(BinaryWriter& writer, const UseAll& edit) {
+  writer.text(edit.photo);
+  write_list(writer, edit.before);
+}
 void write(BinaryWriter& writer, const SetOptions& edit) {
   writer.text(edit.what);
   write_list(writer, edit.options);
@@ -103,11 +107,16 @@ void write(BinaryWriter& writer, const SetMeasurements& edit) {
   write(writer, edit.after);
 }
 
+void write(BinaryWriter& writer, const RenamePoint& edit) {
+  write(writer, edit.seen);
+  write(writer, edit.measured);
+}
+
 fs::path read_path(BinaryReader& reader) { return reader.text(); }
 
 Stroke read_stroke(BinaryReader& reader) {
   Stroke stroke;
-  stroke.kind = read_kind<StrokeKind>(reader, 3);
+  stroke.kind = read_kind<StrokeKind>(reader, 4);
   stroke.radius_px = pixels(reader.value<std::int32_t>());
   const auto places = reader.array<glm::ivec2>();
   stroke.points_px.reserve(places.size());
@@ -147,8 +156,9 @@ AddStroke read_added(BinaryReader& reader) {
   return edit;
 }
 
-ClearStrokes read_cleared(BinaryReader& reader) {
-  ClearStrokes edit;
+template <class Edit>
+Edit read_cleared(BinaryReader& reader) {
+  Edit edit;
   edit.photo = reader.text();
   edit.before = read_list(reader, read_stroke);
   return edit;
@@ -245,7 +255,7 @@ Edit read_edit(BinaryReader& reader) {
     case 3:
       return read_added(reader);
     case 4:
-      return read_cleared(reader);
+      return read_cleared<ClearStrokes>(reader);
     case 5:
       return read_options(reader);
     case 6:
@@ -254,6 +264,12 @@ Edit read_edit(BinaryReader& reader) {
       return read_sightings(reader);
     case 8:
       return read_measuring(reader);
+    case 9: {
+      SetSightings seen = read_sightings(reader);
+      return RenamePoint{std::move(seen), read_measuring(reader)};
+    }
+    case 10:
+      return read_cleared<UseAll>(reader);
     default:
       throw Error("there is no such edit");
   }

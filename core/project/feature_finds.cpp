@@ -12,6 +12,7 @@
 #include "core/project/calibration_store.h"
 #include "core/project/capture.h"
 #include "core/project/each_photo.h"
+#include "core/project/left_out.h"
 
 namespace bosk {
 namespace {
@@ -23,7 +24,9 @@ constexpr int kFewMarkers = 6;  // points of a photo that others show too, for f
 
 struct FeatureInput {
   std::vector<SourceFile> photos;
+  Strokes left_out;                 // of these photos
   std::vector<std::size_t> places;  // of the photos in the finds
+  glm::ivec2 size_px{0};            // of the photos as delivered
   Lens lens;                        // at the size that features are found at
   bool lens_known = false;
 };
@@ -31,12 +34,15 @@ struct FeatureInput {
 FeatureInput input_of(const CalibrationSources& sources, const CalibrationFinds& finds) {
   FeatureInput input;
   const Lens& lens = finds.lens.lens;
+  input.size_px = {lens.width_px, lens.height_px};
   for (std::size_t i = 0; i < finds.photos.size(); ++i) {
     const PhotoSightings& photo = finds.photos[i];
     if (photo.width_px != lens.width_px || photo.height_px != lens.height_px) continue;
     const auto file = std::find_if(sources.photos.begin(), sources.photos.end(),
                                    [&](const SourceFile& one) { return one.name == photo.photo; });
     input.photos.push_back(*file);
+    const auto left_out = sources.left_out.find(file->name);
+    if (left_out != sources.left_out.end()) input.left_out.insert(*left_out);
     input.places.push_back(i);
   }
   const glm::ivec2 size =
@@ -54,6 +60,7 @@ ContentHash key_of(const FeatureInput& input, const FeatureOptions& options) {
   hasher.value(std::uint8_t(input.lens_known)).value(options.features_per_photo);
   hasher.value(options.ratio).value(options.largest_error_px);
   hasher.value(options.fewest_matches).value(options.tracks_per_photo);
+  hash_left_out(hasher, input.left_out);
   return hasher.finish();
 }
 
@@ -68,6 +75,17 @@ std::vector<Image<glm::vec3>> small_photos(const FeatureInput& input, const Deco
   return images;
 }
 
+// Empty where nothing is left out.
+std::vector<Image<std::uint8_t>> masks_of(const FeatureInput& input) {
+  std::vector<Image<std::uint8_t>> masks(input.photos.size());
+  for (std::size_t i = 0; i < masks.size(); ++i) {
+    const auto strokes = input.left_out.find(input.photos[i].name);
+    if (strokes == input.left_out.end()) continue;
+    masks[i] = mask_of(strokes->second, input.size_px, {input.lens.width_px, input.lens.height_px});
+  }
+  return masks;
+}
+
 FeatureSightings made_features(const FeatureInput& input, const CalibrationSources& sources,
                                Progress& progress) {
   std::vector<Image<glm::vec3>> images;
@@ -75,9 +93,10 @@ FeatureSightings made_features(const FeatureInput& input, const CalibrationSourc
     const ProgressPart part(progress, 0.0, 0.3);
     images = small_photos(input, sources.limits, progress);
   }
+  const std::vector<Image<std::uint8_t>> masks = masks_of(input);
   std::vector<FeaturePhoto> photos;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    photos.push_back({input.photos[i].name, &images[i], nullptr});
+    photos.push_back({input.photos[i].name, &images[i], masks[i].empty() ? nullptr : &masks[i]});
   }
   const ProgressPart part(progress, 0.3, 1.0);
   return find_features(photos, input.lens, input.lens_known, sources.options.feature, progress);
@@ -123,6 +142,13 @@ bool needs_features(const std::vector<PhotoSightings>& photos, const CalibrateOp
         std::count_if(photo.sightings.begin(), photo.sightings.end(),
                       [&](const Sighting& sighting) { return photos_of[sighting.point] >= 2; });
     return shared < kFewMarkers;
+  });
+}
+
+bool finds_features(const CalibrationFinds& finds) {
+  return std::any_of(finds.photos.begin(), finds.photos.end(), [](const PhotoSightings& photo) {
+    return std::any_of(photo.sightings.begin(), photo.sightings.end(),
+                       [](const Sighting& one) { return one.by == SightedBy::feature; });
   });
 }
 

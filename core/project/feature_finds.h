@@ -11,6 +11,9 @@ namespace bosk {
 // few points that others show too.
 bool needs_features(const std::vector<PhotoSightings>& photos, const CalibrateOptions& options);
 
+// Whether they were.
+bool finds_features(const CalibrationFinds& finds);
+
 // Adds the features of the photos (those of the lens's size) to the finds, with first poses and,
 // where the lens was a guess, its better focal length; from the cache where they are kept. Throws
 // Error where a photo can't be read any more; Cancelled.

@@ -12,7 +12,7 @@
 namespace bosk {
 namespace {
 
-constexpr int kVersion = 1;  // raised whenever the same photo gives other finds
+constexpr int kVersion = 2;  // raised whenever the same photo gives other finds
 constexpr const char* kEntry = "find";
 constexpr int kFewestEntriesKept = 64;
 
@@ -48,6 +48,7 @@ PhotoFinds look_at(const SourceFile& file, const LookFor& wanted, PhotoDecoder& 
   finds.width_px = decoded.width_px;
   finds.height_px = decoded.height_px;
   finds.exif_focal_px = exif_focal_px(decoded);
+  finds.up_in_camera = decoded.metadata.up_in_camera;
   finds.taken_with = identity_of(decoded.metadata);
   const Image<glm::vec3> srgb = srgb_of(decoded);
   decoded = {};
@@ -113,6 +114,7 @@ void write(BinaryWriter& writer, const PhotoFinds& finds) {
   writer.text(finds.name);
   writer.value(glm::ivec2(finds.width_px, finds.height_px));
   write_optional(writer, finds.exif_focal_px);
+  write_optional(writer, finds.up_in_camera);
   write_lens_identity(writer, finds.taken_with);
   writer.array(finds.balls);
   writer.array(finds.tags);
@@ -126,6 +128,7 @@ PhotoFinds read_photo_finds(BinaryReader& reader) {
   finds.width_px = size_px.x;
   finds.height_px = size_px.y;
   finds.exif_focal_px = read_optional<double>(reader);
+  finds.up_in_camera = read_optional<glm::dvec3>(reader);
   finds.taken_with = read_lens_identity(reader);
   finds.balls = reader.array<SightedBall>();
   finds.tags = reader.array<SightedTag>();

@@ -26,6 +26,7 @@ struct PhotoFinds {
   std::string name;
   int width_px = 0, height_px = 0;
   std::optional<double> exif_focal_px;
+  std::optional<glm::dvec3> up_in_camera;
   LensIdentity taken_with;
   std::vector<SightedBall> balls;
   std::vector<SightedTag> tags;

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Raised when an older Bosk would misread the file: 1 knows neither strokes nor a journal, 2 no
-// calibration
-constexpr int kSchema = 3;
+// calibration, 3 nothing left out of it
+constexpr int kSchema = 4;
 constexpr int kMaxDepth = 16;
 
 struct JsonValue {
@@ -52,9 +52,9 @@ Json strokes_json(const std::vector<Stroke>& strokes) {
   return all;
 }
 
-void add_strokes(const Strokes& strokes, Json& json) {
+void add_strokes(const char* name, const Strokes& strokes, Json& json) {
   for (const auto& [photo, drawn] : strokes) {
-    if (!drawn.empty()) json["strokes"][photo] = strokes_json(drawn);
+    if (!drawn.empty()) json[name][photo] = strokes_json(drawn);
   }
 }
 
@@ -66,6 +66,7 @@ void add_journal(const JournalPlace& journal, Json& json) {
 
 // The oldest that reads the file as it is meant.
 int schema_of(const Json& json) {
+  if (json.contains("left_out")) return 4;
   if (json.contains("calibration")) return 3;
   return json.contains("strokes") || json.contains("journal") ? 2 : 1;
 }
@@ -80,8 +81,9 @@ Json project_json(const Project& project) {
   json["mattes"] = project.mattes.generic_string();
   json["scribbles"] = project.scribbles.generic_string();
   json["options"] = options_json(project.recipe);
-  add_strokes(project.strokes, json);
+  add_strokes("strokes", project.strokes, json);
   if (!project.calibration.empty()) json["calibration"] = calibration_json(project.calibration);
+  add_strokes("left_out", project.calibration.left_out, json);
   add_journal(project.journal, json);
   json["bosk_project"] = schema_of(json);
   return json;
@@ -161,6 +163,7 @@ void read_fields(const Json& json, Project& project) {
   if (json.contains("calibration")) {
     project.calibration = calibration_of(json.at("calibration"));
   }
+  if (json.contains("left_out")) read_strokes(json.at("left_out"), project.calibration.left_out);
   if (json.contains("journal")) project.journal = journal_of(json.at("journal"));
 }
 

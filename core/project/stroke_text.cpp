@@ -9,7 +9,7 @@
 namespace bosk {
 namespace {
 
-constexpr std::array<const char*, 3> kKinds{"background", "foreground", "erase"};
+constexpr std::array<const char*, 4> kKinds{"background", "foreground", "erase", "left_out"};
 
 void add_number(double number, std::string& text) {
   std::array<char, 32> digits{};

@@ -15,7 +15,7 @@ std::string points_text(const std::vector<glm::dvec2>& points_px);
 // Throws Error when the text is none of these.
 std::vector<glm::dvec2> points_of_text(std::string_view text);
 
-// "background", "foreground", "erase".
+// "background", "foreground", "erase", "left_out".
 std::string kind_text(StrokeKind kind);
 // Throws Error when there is no such kind.
 StrokeKind kind_of_text(std::string_view text);

@@ -18,12 +18,12 @@ const char* const kColours[] = {"red",  "green",  "blue",  "yellow", "pink",   "
                                 "cyan", "purple", "white", "black",  "silver", "brown"};
 
 // A phone's, of 12 megapixels and a focal length like 26 mm on a full frame.
-Lens orbit_lens(double distortion) {
+Lens orbit_lens(double distortion, double focal_px) {
   Lens lens;
   lens.model = distortion == 0.0 ? LensModel::pinhole : LensModel::opencv;
   lens.width_px = 4032;
   lens.height_px = 3024;
-  lens.focal_px = {3030.0, 3030.9};
+  lens.focal_px = {focal_px, focal_px + 0.9};
   lens.principal_px = {2030.0, 1498.0};
   lens.distortion = {distortion, -0.3 * distortion, 0.002 * distortion, 0.003 * distortion};
   return lens;
@@ -119,7 +119,7 @@ PhotoSightings exact_sightings(const Orbit& orbit, const Camera& camera) {
 Orbit make_orbit(const OrbitOptions& options) {
   Random random(options.seed);
   Orbit orbit;
-  orbit.lens = orbit_lens(options.distortion);
+  orbit.lens = orbit_lens(options.distortion, options.focal_px);
   add_markers(options, random, orbit);
   add_cameras(options, random, orbit);
   for (const Camera& camera : orbit.cameras) {

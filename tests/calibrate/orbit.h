@@ -24,6 +24,7 @@ struct OrbitOptions {
   int fewest_sightings = 5;   // that `missing` leaves in a photo
   bool feet = false;          // sticks' lower ends are marked too
   double distortion = -0.06;  // k1
+  double focal_px = 3030.0;   // of photos 4032 wide
 };
 
 struct Orbit {
@@ -52,8 +53,8 @@ Lens guessed_orbit_lens(const Orbit& orbit, double focal_ratio = 1.0);
 struct OrbitErrors {
   double marker_rms_m = 0.0, marker_median_m = 0.0;
   double worst_crown_px = 0.0, crown_rms_px = 0.0;  // over cameras whose photo counts as placed
-  std::vector<double> crown_px;           // of each of calibration.cameras
-  double scale_error = 0.0;               // relative
+  std::vector<double> crown_px;                     // of each of calibration.cameras
+  double scale_error = 0.0;                         // relative
 };
 OrbitErrors orbit_errors(const Orbit& orbit, const Calibration& calibration);
 

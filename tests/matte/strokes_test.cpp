@@ -42,7 +42,7 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
   return glm::distance(p, a + t * (b - a));
 }
 
-bool covers(const Stroke& stroke, const glm::dvec2& place) {
+bool lies_within(const Stroke& stroke, const glm::dvec2& place) {
   double nearest = glm::distance(place, stroke.points_px.front());
   for (std::size_t i = 1; i < stroke.points_px.size(); ++i) {
     nearest =
@@ -65,7 +65,7 @@ Image<std::uint8_t> painted_slowly(const std::vector<Stroke>& strokes, const Pho
         continue;
       }
       for (const Stroke& stroke : strokes) {
-        if (!covers(stroke, *place)) continue;
+        if (!lies_within(stroke, *place)) continue;
         scribbles(x, y) = stroke.kind == StrokeKind::erase        ? kNoStroke
                           : stroke.kind == StrokeKind::foreground ? kForegroundStroke
                                                                   : kBackgroundStroke;

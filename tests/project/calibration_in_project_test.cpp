@@ -132,7 +132,7 @@ TEST(CalibrationKey, KnowsNoPathsAndNoLimits) {
 
 class SightingsFile : public testing::Test {
  protected:
-  HandSightings read(const std::string& text) const {
+  HandFile read(const std::string& text) const {
     const auto file = folder / "clicks.json";
     write_file_atomically(file, text);
     return read_sightings_file(file, project);
@@ -152,10 +152,23 @@ class SightingsFile : public testing::Test {
 
 TEST_F(SightingsFile, TakesPhotosWithAndWithoutTheirEnding) {
   const HandSightings told = read(
-      R"([{"photo": "oak_01", "point": "red", "x": 1.5, "y": 2},
-          {"photo": "oak_02.jpg", "point": "red", "removed": true}])");
+                                 R"([{"photo": "oak_01", "point": "red", "x": 1.5, "y": 2},
+          {"photo": "oak_02.jpg", "point": "red", "removed": true}])")
+                                 .sightings;
   EXPECT_EQ(told.at("oak_01").at("red"), (HandSighting{true, {1.5, 2.0}}));
   EXPECT_EQ(told.at("oak_02").at("red"), (HandSighting{false, {}}));
+}
+
+TEST_F(SightingsFile, TellsWhatIsLeftOut) {
+  const HandFile told =
+      read(R"([{"photo": "oak_01.jpg", "left_out": [[3, 4], [5, 6.5]], "radius": 20}])");
+  EXPECT_TRUE(told.sightings.empty());
+  const Stroke expected{StrokeKind::left_out, 20.0, {{3.0, 4.0}, {5.0, 6.5}}};
+  EXPECT_EQ(told.left_out.at("oak_01"), std::vector<Stroke>{expected});
+  EXPECT_NE(refusal(R"([{"photo": "oak_01", "left_out": [[3, 4]]}])").find("entry 1 lacks"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"([{"photo": "oak_01", "left_out": [], "radius": 9}])").find("points"),
+            std::string::npos);
 }
 
 TEST_F(SightingsFile, IsRefusedInWordsThatNameTheEntry) {

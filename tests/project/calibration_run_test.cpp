@@ -71,9 +71,10 @@ TEST(ToldSightings, CountOverWhatWasFound) {
   const CalibrationFinds finds = finds_of({{"red", {1, 1}, 0.2, SightedBy::ball},
                                            {"blue", {2, 2}, 0.2, SightedBy::ball},
                                            {"grey", {3, 3}, 0.2, SightedBy::ball}});
+  CalibrationSources sources;
+  sources.sightings = {{"oak", {{"red", {true, {9, 9}}}, {"blue", {false, {}}}}}};
   std::vector<std::string> sentences;
-  const auto photos =
-      told_sightings(finds, {{"oak", {{"red", {true, {9, 9}}}, {"blue", {false, {}}}}}}, sentences);
+  const auto photos = told_sightings(finds, sources, sentences);
   ASSERT_EQ(photos[0].sightings.size(), 2u);
   EXPECT_EQ(photos[0].sightings[0].point, "grey");
   EXPECT_EQ(photos[0].sightings[1].point, "red");
@@ -83,9 +84,10 @@ TEST(ToldSightings, CountOverWhatWasFound) {
 }
 
 TEST(ToldSightings, OutsideThePhotoAreSaidAndLeftOut) {
+  CalibrationSources sources;
+  sources.sightings = {{"oak", {{"red", {true, {640, 9}}}}}};
   std::vector<std::string> sentences;
-  const auto photos =
-      told_sightings(finds_of({}), {{"oak", {{"red", {true, {640, 9}}}}}}, sentences);
+  const auto photos = told_sightings(finds_of({}), sources, sentences);
   EXPECT_TRUE(photos[0].sightings.empty());
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_NE(sentences[0].find("outside the photo"), std::string::npos);

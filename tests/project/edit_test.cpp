@@ -192,7 +192,9 @@ TEST(EditBytes, CutAnywhereAreRefused) {
                         SetOptions{"preset", {{"a.b", "1", "2"}, {"c.d", "", "3"}}},
                         kMoved,
                         SetSightings{"clicks", {kMoved, {"elm", "red", kHere, kNotThere}}},
-                        SetMeasurements{{}, kMeasured}};
+                        SetMeasurements{{}, kMeasured},
+                        UseAll{"oak", {kStroke}},
+                        RenamePoint{{"red is blue", {kMoved}}, {{}, kMeasured}}};
   for (const Edit& edit : edits) {
     const auto bytes = bytes_of_edit(edit);
     for (std::size_t size = 0; size < bytes.size(); ++size) {

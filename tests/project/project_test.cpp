@@ -97,7 +97,7 @@ TEST(Project, RefusesOptionsThatDontExistOrDontFit) {
 }
 
 TEST(Project, PolitelyRefusesANewerVersion) {
-  EXPECT_NE(refusal_after("\"bosk_project\": 1", "\"bosk_project\": 4").find("newer Bosk"),
+  EXPECT_NE(refusal_after("\"bosk_project\": 1", "\"bosk_project\": 5").find("newer Bosk"),
             std::string::npos);
 }
 

@@ -90,7 +90,7 @@ Project saved_project(const std::filesystem::path& folder) {
 }
 
 Stroke random_stroke(Random& random) {
-  Stroke stroke{StrokeKind(random.below(3)), random.uniform(0.5, 90.0), {}};
+  Stroke stroke{StrokeKind(random.below(4)), random.uniform(0.5, 90.0), {}};
   for (auto left = 1 + random.below(20); left > 0; --left) {
     stroke.points_px.emplace_back(random.uniform(-50.0, 6000.0), random.uniform(-50.0, 4000.0));
   }
@@ -100,6 +100,7 @@ Stroke random_stroke(Random& random) {
 Edit random_edit(Random& random, const Project& project) {
   switch (random.below(24)) {
     case 0:
+      if (random.below(2) == 0) return use_all_edit(project, photo_of(random));
       return clear_edit(project, photo_of(random));
     case 1: {
       auto photos = project.photos;
@@ -123,6 +124,8 @@ Edit random_edit(Random& random, const Project& project) {
       return random_sightings(random, project);
     case 11:
       return random_measurements(random, project);
+    case 12:
+      return RenamePoint{random_sightings(random, project), random_measurements(random, project)};
     default:
       return AddStroke{photo_of(random), random_stroke(random)};
   }

@@ -39,6 +39,7 @@ const std::vector<Shortcut>& shortcuts() {
       {"Calibrate", "Escape", "choose no point"},
       {"Calibrate", "L", "loupe, and none"},
       {"Calibrate", "Page Down, Page Up", "next and previous photo"},
+      {"Calibrate", "B", "the brush that leaves out sky and what moves; [ and ] change its size"},
       {"Matte", "left drag", "paint a stroke"},
       {"Matte", "Alt", "while held: the background's brush for the tree's, and the other way"},
       {"Matte", "X", "swap tree and background"},

@@ -109,6 +109,21 @@ bool WindowInput::pressed(int key) const {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
+std::vector<ImVec2> WindowInput::stroke_places(bool began) const {
+  const std::size_t first = began ? pressed_at.value_or(mouse_path.size()) : 0;
+  std::size_t end = mouse_path.size();
+  if (released_at && *released_at >= first) end = std::min(end, *released_at + 1);
+  if (first >= mouse_path.size()) {
+    return began ? std::vector<ImVec2>{ImGui::GetIO().MousePos} : std::vector<ImVec2>();
+  }
+  return {mouse_path.begin() + std::ptrdiff_t(first), mouse_path.begin() + std::ptrdiff_t(end)};
+}
+
+bool WindowInput::ends_stroke(bool began) const {
+  const bool up_again = released_at && (!began || *released_at > pressed_at.value_or(0));
+  return up_again || !ImGui::GetIO().MouseDown[ImGuiMouseButton_Left];
+}
+
 Workspace::Workspace(PictureDevice device, std::function<void()> wake, fs::path settings_folder)
     : pictures(std::move(device)),
       settings(read_settings(settings_folder)),

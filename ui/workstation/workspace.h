@@ -46,6 +46,10 @@ struct WindowInput {
   bool at_rest = false;  // nothing was heard for about a quarter of a second
 
   bool pressed(int key) const;
+  // The places that belong to a stroke of the left button, from where it went down, when the stroke
+  // began in this frame, to where it went up; the mouse's where a beginning was not heard.
+  std::vector<ImVec2> stroke_places(bool began) const;
+  bool ends_stroke(bool began) const;  // in this frame
 };
 
 // When the window draws another frame, beside what it hears.

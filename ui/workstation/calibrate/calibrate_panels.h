@@ -23,7 +23,7 @@ const std::vector<std::string>& lens_option_names();
 // Those of a project whose cameras are found and solved:
 void draw_solving(Workspace& workspace);         // what to press, the verdict and what it says
 void draw_points(Workspace& workspace);          // the list of points
-void draw_measurements(Workspace& workspace);    // tapes and heights
+void draw_measurements(Workspace& workspace);    // tapes, heights, surveyed points
 void draw_lens_sources(Workspace& workspace);    // where the lens is known from
 void draw_lens_view(Workspace& workspace);       // what photos of a board gave
 void draw_photo_findings(Workspace& workspace);  // a row for each photo

@@ -49,6 +49,7 @@ struct CalibrateStepState {
   std::uint64_t points_session = 0, points_solved = 0;
   Tape new_tape;  // to be added
   Height new_height;
+  SurveyedPoint new_surveyed;
   NumberInHand number_in_hand;
 };
 

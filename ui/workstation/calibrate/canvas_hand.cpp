@@ -79,9 +79,7 @@ void hear_canvas(Workspace& workspace, const CanvasPhoto& photo, const ImagePlac
     workspace.calibrate.rename_to = canvas.point;
   }
   if (!canvas.held) return;
-  const bool up_again =
-      input.released_at && (!began || *input.released_at > input.pressed_at.value_or(0));
-  const bool up = up_again || !io.MouseDown[ImGuiMouseButton_Left];
+  const bool up = input.ends_stroke(began);
   drag(canvas, photo, place, up ? place_of_button(input, input.released_at) : io.MousePos);
   if (up) let_go(workspace, photo);
 }
@@ -101,7 +99,18 @@ void hear_canvas_keys(Workspace& workspace) {
         break;
       case kKeyEscape:
         canvas.held.reset();
+        canvas.leaving_out.reset();
+        canvas.brush = false;
         canvas.point.clear();
+        break;
+      case 'B':
+        canvas.brush = !canvas.brush;
+        canvas.held.reset();
+        canvas.leaving_out.reset();
+        break;
+      case kKeyLeftBracket:
+      case kKeyRightBracket:
+        resize_left_out_brush(canvas, key == kKeyRightBracket ? 1 : -1);
         break;
       case 'L':
         canvas.loupe = !canvas.loupe;

@@ -133,6 +133,39 @@ void draw_heights(Workspace& workspace, const std::vector<PointRow>& points) {
   ImGui::EndTable();
 }
 
+bool draw_place(CalibrateStepState& state, const std::string& name, SurveyedPoint& point) {
+  bool changed = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    ImGui::TableNextColumn();
+    changed |= draw_length(state, name + "/" + "xyz"[axis], point.in_world[axis], 1.0, "%.3f");
+  }
+  return changed;
+}
+
+RowChange draw_surveyed(CalibrateStepState& state, const std::vector<PointRow>& points,
+                        const std::string& name, SurveyedPoint& point) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  bool changed = draw_point_choice(name + "/point", points, "place of", point.point);
+  changed |= draw_place(state, name, point);
+  ImGui::TableNextColumn();
+  changed |= draw_length(state, name + "/sigma", point.sigma_m, kMetresPerMm, "%.1f");
+  if (draw_removal(name + "/remove")) return RowChange::removed;
+  return changed ? RowChange::edited : RowChange::none;
+}
+
+void draw_surveyed_points(Workspace& workspace, const std::vector<PointRow>& points) {
+  CalibrateStepState& state = workspace.calibrate;
+  if (workspace.project().calibration.measurements.points.empty()) return;
+  if (!ImGui::BeginTable("surveyed", 6, kTable)) return;
+  draw_head({"Place of", "x m", "y m", "z m", "+- mm", ""});
+  draw_rows(workspace, &Measurements::points, "calibrate/surveyed",
+            [&](const std::string& name, SurveyedPoint& point) {
+              return draw_surveyed(state, points, name, point);
+            });
+  ImGui::EndTable();
+}
+
 void draw_results(const Workspace& workspace) {
   const auto calibration = workspace.calibrate.solved.calibration;
   if (!calibration) return;
@@ -192,6 +225,23 @@ void draw_new_height(Workspace& workspace, const std::vector<PointRow>& points) 
   }
 }
 
+void draw_new_surveyed(Workspace& workspace, const std::vector<PointRow>& points) {
+  CalibrateStepState& state = workspace.calibrate;
+  SurveyedPoint& point = state.new_surveyed;
+  if (ImGui::BeginTable("new surveyed", 4)) {
+    ImGui::TableNextColumn();
+    draw_point_choice("calibrate/new_surveyed/point", points, "place of", point.point);
+    draw_place(state, "calibrate/new_surveyed", point);
+    ImGui::EndTable();
+  }
+  if (button("calibrate/new_surveyed/add", "Add surveyed point",
+             "x, y and z of a point, z up, from wherever the survey counts; three of them that are "
+             "not on a line fix scale, up and place of the world",
+             point.point.empty() ? "choose a point" : "")) {
+    add(workspace, &Measurements::points, point);
+  }
+}
+
 }  // namespace
 
 void draw_measurements(Workspace& workspace) {
@@ -200,6 +250,8 @@ void draw_measurements(Workspace& workspace) {
   draw_new_tape(workspace, points);
   draw_heights(workspace, points);
   draw_new_height(workspace, points);
+  draw_surveyed_points(workspace, points);
+  draw_new_surveyed(workspace, points);
   draw_results(workspace);
 }
 

@@ -24,7 +24,10 @@ void draw_caption(Workspace& workspace, const PhotoRow& row) {
   mark("calibrate/loupe");
   tooltip("L: the pixels under the mouse, enlarged");
   ImGui::SameLine();
-  const std::string hint = canvas.point.empty()
+  draw_left_out_tools(workspace);
+  ImGui::SameLine();
+  const std::string hint = canvas.brush ? "paint over sky and what moves"
+                           : canvas.point.empty()
                                ? "choose a point in the list, or type a new name, to place it here"
                                : "a click places " + canvas.point + "; Delete removes it here";
   ImGui::TextUnformatted((row.name + ": " + hint).c_str());
@@ -52,6 +55,7 @@ void show_on_canvas(Workspace& workspace, const std::string& photo) {
   if (canvas.photo == photo) return;
   canvas.photo = photo;
   canvas.held.reset();
+  canvas.leaving_out.reset();
   canvas.view = {};
   ask_again(canvas.large);
 }
@@ -121,7 +125,12 @@ void draw_photo_canvas(Workspace& workspace) {
   const ImagePlace place =
       draw_image_view("calibrate/canvas", canvas.view,
                       best_picture(workspace, canvas.large, row, "calibrate/photo"), size);
-  hear_canvas(workspace, *photo, place, marks_on_canvas(workspace));
+  if (canvas.brush) {
+    hear_left_out(workspace, *photo, place);
+  } else {
+    hear_canvas(workspace, *photo, place, marks_on_canvas(workspace));
+  }
+  draw_left_out(workspace, *photo, place);
   draw_marks(workspace, *photo, place, marks_on_canvas(workspace));
   draw_loupe(workspace, *photo, place);
 }

@@ -32,7 +32,10 @@ struct PhotoCanvas {
   std::optional<HeldMark> held;
   bool pressed_on_nothing = false;  // the button went down beside all marks
   bool loupe = true;
-  std::vector<PhotoMark> marks;  // as of the revisions below
+  bool brush = false;                 // the hand leaves out instead of placing points
+  double brush_share = 0.03;          // its radius, of the photo's longer side
+  std::optional<Stroke> leaving_out;  // in hand
+  std::vector<PhotoMark> marks;       // as of the revisions below
   std::string marks_photo;
   std::uint64_t marks_session = 0, marks_solved = 0;
 };
@@ -65,6 +68,13 @@ void hear_canvas(Workspace& workspace, const CanvasPhoto& photo, const ImagePlac
                  const std::vector<PhotoMark>& marks);
 void hear_canvas_keys(Workspace& workspace);
 void draw_loupe(const Workspace& workspace, const CanvasPhoto& photo, const ImagePlace& place);
+
+// What calibration leaves out of the photo; null where that is nothing.
+const std::vector<Stroke>* left_out_on_canvas(const Workspace& workspace);
+void draw_left_out_tools(Workspace& workspace);
+void draw_left_out(const Workspace& workspace, const CanvasPhoto& photo, const ImagePlace& place);
+void hear_left_out(Workspace& workspace, const CanvasPhoto& photo, const ImagePlace& place);
+void resize_left_out_brush(PhotoCanvas& canvas, int steps);
 
 // So that the chosen point isn't seen on this photo; nothing where it isn't.
 void remove_chosen_mark(Workspace& workspace);

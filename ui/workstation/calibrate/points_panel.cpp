@@ -95,12 +95,12 @@ void rename_everywhere(Workspace& workspace) {
   const std::string from = state.canvas.point, to = state.rename_to;
   std::vector<std::string> photos;
   for (const auto& photo : workspace.project().photos) photos.push_back(photo.stem().string());
-  SetSightings sightings =
-      renaming_edit(workspace.project(), state.solved.finds.get(), photos, from, to);
-  const Measurements before = workspace.project().calibration.measurements;
-  const Measurements after = renamed(before, from, to);
-  if (!sightings.sightings.empty()) edit_or_tell(workspace, std::move(sightings));
-  if (!(after == before)) edit_or_tell(workspace, measurements_edit(workspace.project(), after));
+  const Project& project = workspace.project();
+  RenamePoint rename{
+      renaming_edit(project, state.solved.finds.get(), photos, from, to),
+      measurements_edit(project, renamed(project.calibration.measurements, from, to))};
+  const bool is_measured = !(rename.measured.after == rename.measured.before);
+  if (is_measured || !rename.seen.sightings.empty()) edit_or_tell(workspace, std::move(rename));
   state.canvas.point = to;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/calibrate/lens_pictures.h"
 #include "core/project/calibration_refine.h"
+#include "core/project/feature_finds.h"
 #include "ui/workstation/workspace.h"
 
 namespace bosk {
@@ -156,6 +157,14 @@ std::shared_ptr<const Project> copy_of(const Workspace& workspace) {
   return std::make_shared<const Project>(workspace.project());
 }
 
+// Features are looked for only where nothing is left out; markers found there are passed over.
+bool fits_left_out(const SolvedCameras& solved, const Project& project) {
+  if (!finds_features(*solved.finds)) return true;
+  CalibrationSources now = *solved.sources;
+  take_inputs(now, project.calibration);
+  return now.left_out == solved.sources->left_out;
+}
+
 void load_earlier(Workspace& workspace, const ContentHash& files) {
   SolvedCameras& solved = workspace.calibrate.solved;
   if (solved.looked_for == files || solved.find.is_at_work()) return;
@@ -193,7 +202,8 @@ void follow_calibration(Workspace& workspace) {
   SolvedCameras& solved = workspace.calibrate.solved;
   if (!project.cameras.empty() || project.photos.empty()) return;
   const ContentHash files = files_of(project);
-  if (solved.sources && solved.files == files) return solve_again(workspace);
+  const bool looked = solved.sources && solved.files == files;
+  if (looked && fits_left_out(solved, project)) return solve_again(workspace);
   solved.wanted = {};
   load_earlier(workspace, files);
 }

@@ -47,31 +47,14 @@ void begin_stroke(Workspace& workspace) {
   workspace.matte.in_hand = Stroke{kind_of(tool), radius, {}};
 }
 
-// The places of this frame that belong to the stroke: from where the button went down to where it
-// went up.
-void draw_path(Workspace& workspace, const ImagePlace& place, bool began) {
-  const WindowInput& input = workspace.input;
-  const auto& path = input.mouse_path;
-  std::size_t first = 0, end = path.size();
-  if (began) first = input.pressed_at ? *input.pressed_at : path.size();
-  if (began && first >= path.size()) draw_on(workspace, place, ImGui::GetIO().MousePos);
-  if (input.released_at && *input.released_at >= first) {
-    end = std::min(end, *input.released_at + 1);
-  }
-  for (std::size_t i = first; i < end; ++i) draw_on(workspace, place, path[i]);
-}
-
 void hear_painting(Workspace& workspace, const ImagePlace& place) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool began = place.hovered && io.MouseClicked[ImGuiMouseButton_Left] &&
                      !ImGui::IsKeyDown(kKeySpace) && !workspace.matte.in_hand;
   if (began) begin_stroke(workspace);
   if (!workspace.matte.in_hand) return;
-  draw_path(workspace, place, began);
-  const WindowInput& input = workspace.input;
-  const bool up_again =
-      input.released_at && (!began || *input.released_at > input.pressed_at.value_or(0));
-  if (up_again || !io.MouseDown[ImGuiMouseButton_Left]) keep_stroke_in_hand(workspace);
+  for (const ImVec2& at : workspace.input.stroke_places(began)) draw_on(workspace, place, at);
+  if (workspace.input.ends_stroke(began)) keep_stroke_in_hand(workspace);
 }
 
 void hear_resizing(Workspace& workspace, const ImagePlace& place) {

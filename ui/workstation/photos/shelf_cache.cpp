@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kStage = "shelf";
-constexpr int kVersion = 1;  // raised whenever the same file gives another entry
+constexpr int kVersion = 2;  // raised whenever the same file gives another entry
 
 void write(BinaryWriter& writer, const DecodedPhoto& photo) {
   writer.value(photo.format);

@@ -105,6 +105,37 @@ TEST_F(SolvedCapture, AClickWithoutAMoveChoosesThePointAndChangesNothing) {
   EXPECT_EQ(workspace.session->revision(), revision);
 }
 
+TEST_F(SolvedCapture, ABrushLeavesOutWhatIsFoundThereAndTheSolveFollows) {
+  const std::string photo = shown_photo();
+  const ContentHash key = state().solved.key;
+  hand.click("calibrate/leave_out");
+  hand.key(kKeyRightBracket);
+  hand.drag(on_screen({10.0, 10.0}), on_screen({200.0, 12.0}));
+  const auto& left_out = workspace.project().calibration.left_out;
+  ASSERT_EQ(left_out.count(photo), 1u);
+  const Stroke stroke = left_out.at(photo).front();
+  EXPECT_EQ(stroke.kind, StrokeKind::left_out);
+  EXPECT_NEAR(stroke.radius_px, 0.03 * 1.25 * 320.0, 1.0 / 16);
+  EXPECT_NEAR(stroke.points_px.front().x, 10.0, 1.0);
+  EXPECT_NEAR(stroke.points_px.back().x, 200.0, 1.0);
+  EXPECT_TRUE(workspace.project().strokes.empty());
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(solve_state(workspace), SolveState::current);
+  EXPECT_NE(state().solved.key, key);
+  EXPECT_EQ(state().canvas.point, "") << "the brush places no point";
+
+  hand.click("calibrate/use_all");
+  EXPECT_TRUE(left_out.empty());
+  hand.key('Z', true);
+  EXPECT_EQ(left_out.at(photo).size(), 1u);
+  hand.key('Z', true);
+  EXPECT_TRUE(left_out.empty());
+  ASSERT_TRUE(hand.settle());
+  EXPECT_EQ(state().solved.key, key);
+  hand.key('B');
+  EXPECT_FALSE(state().canvas.brush);
+}
+
 TEST_F(SolvedCapture, ANewNameIsPlacedByAClick) {
   hand.click("calibrate/new_point");
   hand.type("post");
@@ -153,7 +184,29 @@ TEST_F(SolvedCapture, ATapeGivesTheScaleOnceItIsSolved) {
   EXPECT_EQ(workspace.project().calibration.measurements.tapes.size(), 1u);
 }
 
-TEST_F(SolvedCapture, ANameIsChangedInAllPhotosByOneEdit) {
+TEST_F(SolvedCapture, ASurveyedPointIsTypedAndFixesTheWorldsPlace) {
+  choose("calibrate/new_surveyed/point", "red");
+  for (const auto& [axis, text] : {std::pair("x", "1.25"), {"y", "-0.5"}, {"z", "0.75"}}) {
+    hand.click(std::string("calibrate/new_surveyed/") + axis);
+    hand.key('A', true);
+    hand.type(text);
+  }
+  hand.click("calibrate/new_surveyed/add");
+  const auto& points = workspace.project().calibration.measurements.points;
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0], (SurveyedPoint{"red", {1.25, -0.5, 0.75}}));
+  ASSERT_TRUE(hand.settle());
+  ASSERT_EQ(solve_state(workspace), SolveState::current) << state().solved.trouble;
+  hand.click("calibrate/surveyed/0/remove");
+  EXPECT_TRUE(points.empty());
+  hand.click("undo");
+  EXPECT_EQ(points.size(), 1u);
+}
+
+TEST_F(SolvedCapture, ANameIsChangedInAllPhotosAndMeasurementsByOneEdit) {
+  edit(workspace, measurements_edit(workspace.project(), {{}, {{"red", 0.5, 0.01}}, {}}));
+  ASSERT_TRUE(hand.settle());
+  const auto& heights = workspace.project().calibration.measurements.heights;
   hand.click("calibrate/point/red");
   hand.click("calibrate/rename_to");
   hand.key('A', true);
@@ -161,9 +214,11 @@ TEST_F(SolvedCapture, ANameIsChangedInAllPhotosByOneEdit) {
   hand.click("calibrate/rename");
   EXPECT_TRUE(hand.sees("calibrate/point/gate"));
   EXPECT_FALSE(hand.sees("calibrate/point/red"));
+  EXPECT_EQ(heights.at(0).point, "gate");
   hand.click("undo");
   hand.frame();
   EXPECT_TRUE(hand.sees("calibrate/point/red"));
+  EXPECT_EQ(heights.at(0).point, "red");
 }
 
 TEST_F(SolvedCapture, ARowOfTheTableOpensItsPhoto) {
