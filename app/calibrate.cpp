@@ -4,6 +4,7 @@
 
 #include "app/calibrate_arguments.h"
 #include "app/commands.h"
+#include "core/base/atomic_file.h"
 #include "core/base/system_error.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/calibration_report.h"
@@ -56,6 +57,9 @@ ExitStatus calibrate(const CalibrateArguments& arguments, Console& console) {
   Project project = read_project(arguments.folder);
   take_arguments(arguments, project);
   require_no_camera_file(project);
+  for (const std::string& output : {arguments.report, arguments.save_lens}) {
+    if (!output.empty()) require_writable(output);
+  }
   const CalibrationSources sources = gather_calibration(project);
   const Cache cache(project.cache_folder());
   cache.sweep();

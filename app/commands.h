@@ -17,7 +17,8 @@ struct Request {
 // Each adds one subcommand, whose parsing fills `request`.
 void add_new_command(CLI::App& app, Request& request);
 void add_calibrate_command(CLI::App& app, Request& request);
-void add_stage_commands(CLI::App& app, Request& request);  // matte ... pack
+void add_matte_command(CLI::App& app, Request& request);
+void add_stage_commands(CLI::App& app, Request& request);  // opacity ... compress
 void add_run_command(CLI::App& app, Request& request);
 void add_render_command(CLI::App& app, Request& request);
 void add_view_command(CLI::App& app, Request& request);

@@ -41,6 +41,7 @@ void add_commands(CLI::App& app, Request& request) {
   open_by_default(request);
   add_new_command(app, request);
   add_calibrate_command(app, request);
+  add_matte_command(app, request);
   add_stage_commands(app, request);
   add_run_command(app, request);
   add_render_command(app, request);

@@ -48,8 +48,6 @@ void add_stage_command(CLI::App& app, Request& request, const std::string& stage
 }  // namespace
 
 void add_stage_commands(CLI::App& app, Request& request) {
-  add_stage_command(app, request, "matte",
-                    "up to the mattes: the tree's opacity and pure colour in every photo");
   add_stage_command(app, request, "opacity", "up to the opacity: where the tree is, and how dense");
   add_stage_command(app, request, "radiance",
                     "up to the fine volume of opacity and view-dependent colour");

@@ -101,6 +101,11 @@ void replace_file(const fs::path& target, std::span<const std::byte> bytes, bool
 
 }  // namespace
 
+void require_writable(const fs::path& path) {
+  TemporaryFile temporary;
+  create_beside(resolved_target(path), temporary);
+}
+
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
   const fs::path target = resolved_target(path);
   replace_file(target, bytes, true);

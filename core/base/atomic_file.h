@@ -19,6 +19,10 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 // since a power cut may leave the name with other bytes behind it. No kill and no full disk can.
 void write_file_unsynced(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+// Throws the Error that write_file_atomically would for the place: before work whose result goes
+// there. Leaves nothing behind.
+void require_writable(const std::filesystem::path& path);
+
 // The whole file. Error when it is missing, unreadable, no regular file (a FIFO never blocks), or
 // larger than `max_bytes`.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);

@@ -17,6 +17,7 @@ constexpr double kSample = 50000.0;  // pixels of each photo
 constexpr std::size_t kFewest = 3;   // mattes
 constexpr double kSmaller = 0.9;     // of the median size: trees differ that much from side to side
 constexpr double kMissing = 2.0;     // what is missing spoils a hull more than what is too much
+constexpr double kStandsOut = 1.3;   // of the median
 constexpr double kWorthAWord = 0.01;  // share of the photo
 
 // CIELab cells about as wide as noise and the change of light between photos.
@@ -171,6 +172,19 @@ std::vector<MatteDoubt> doubt_mattes(const Photos& photos, const Mattes& mattes,
     doubts[i] = weighed(mattes[i].name, {cover, strange[i], usual * cover, sizes[i]});
   }
   return doubts;
+}
+
+double median_doubt(const std::vector<MatteDoubt>& doubts) {
+  if (doubts.empty()) return 0.0;
+  std::vector<double> values;
+  for (const MatteDoubt& doubt : doubts) values.push_back(doubt.doubt);
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+bool stands_out(const MatteDoubt& doubt, double median) {
+  return doubt.doubt > kStandsOut * median;
 }
 
 }  // namespace bosk

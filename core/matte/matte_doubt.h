@@ -21,4 +21,9 @@ struct MatteDoubt {
 std::vector<MatteDoubt> doubt_mattes(const Photos& photos, const Mattes& mattes,
                                      Progress& progress);
 
+// Of the doubts; 0 for none.
+double median_doubt(const std::vector<MatteDoubt>& doubts);
+// Whether this one is to be looked at first, among others of this median.
+bool stands_out(const MatteDoubt& doubt, double median);
+
 }  // namespace bosk

@@ -41,10 +41,6 @@ std::string list(const std::vector<std::string>& items) {
   return text + "</ul>\n";
 }
 
-std::string data_url(const std::string& kind, const std::vector<std::byte>& bytes) {
-  return "data:image/" + kind + ";base64," + base64(bytes);
-}
-
 std::string length_text(double length, const Calibration& calibration) {
   return calibration.scale_known ? number_text(1000.0 * length, 1) + " mm" : number_text(length, 4);
 }

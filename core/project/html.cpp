@@ -44,6 +44,10 @@ std::string base64(std::span<const std::byte> bytes) {
   return text;
 }
 
+std::string data_url(const std::string& kind, std::span<const std::byte> bytes) {
+  return "data:image/" + kind + ";base64," + base64(bytes);
+}
+
 std::string html_table(const std::vector<std::vector<std::string>>& rows) {
   std::string text = "<table>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) text += row(rows[i], i == 0 ? "th" : "td");

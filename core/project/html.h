@@ -19,6 +19,8 @@ inline constexpr const char* kHtmlStyle =
 std::string html_text(const std::string& text);
 // For data: URLs.
 std::string base64(std::span<const std::byte> bytes);
+// "data:image/jpeg;base64,..." for kind "jpeg".
+std::string data_url(const std::string& kind, std::span<const std::byte> bytes);
 // The first row is the head; cells are text.
 std::string html_table(const std::vector<std::vector<std::string>>& rows);
 

@@ -76,7 +76,7 @@ std::string html_page(const Evaluation& evaluation, const Project& project,
          "opacity, 0 to 1; edge_ratio: below 1 is blur, above 1 noise; colour_error: CIEDE2000, "
          "about 1 is just visible.</p>\n<h2>Views</h2>\n<img alt=\"photo, Bosk, difference\" "
          "src=\"" +
-         "data:image/png;base64," + base64(sheet_png) + "\">\n<h2>Levels of detail</h2>\n" +
+         data_url("png", sheet_png) + "\">\n<h2>Levels of detail</h2>\n" +
          level_table(evaluation.tree) + "<h2>Time of the stages</h2>\n" +
          time_table(evaluation.times) + "<h2>Settings</h2>\n" + option_table(project) +
          "<p>Made by bosk " BOSK_VERSION ".</p>\n</body></html>\n";

@@ -146,5 +146,13 @@ TEST(ReadFile, ShowsNoControlCharactersOfAFileName) {
   EXPECT_EQ(message.find('\x1b'), std::string::npos);
 }
 
+TEST(RequireWritable, RefusesWhatWritingWouldAndLeavesNothing) {
+  const ScratchFolder folder;
+  EXPECT_NO_THROW(require_writable(folder / "page.html"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_THROW(require_writable(folder / "none" / "page.html"), Error);
+  EXPECT_THROW(require_writable(folder.path()), Error);
+}
+
 }  // namespace
 }  // namespace bosk

@@ -13,7 +13,6 @@ namespace bosk {
 namespace {
 
 constexpr float kThumbnailEms = 3.2f, kListEms = 22.0f, kSheetEms = 13.0f;
-constexpr double kDoubtful = 1.3;  // of the median: worth a look
 
 // A photo of the review in a view, as delivered.
 Texture small_texture(Workspace& workspace, const SmallPhoto& photo, MatteView view) {
@@ -32,18 +31,15 @@ const MatteDoubt* doubt_of(const Workspace& workspace, const std::string& photo)
 }
 
 double median_doubt(const MatteReview& review) {
-  std::vector<double> doubts;
-  for (const auto& [name, doubt] : review.doubts) doubts.push_back(doubt.doubt);
-  if (doubts.empty()) return 0.0;
-  std::nth_element(doubts.begin(), doubts.begin() + std::ptrdiff_t(doubts.size() / 2),
-                   doubts.end());
-  return doubts[doubts.size() / 2];
+  std::vector<MatteDoubt> doubts;
+  for (const auto& [name, doubt] : review.doubts) doubts.push_back(doubt);
+  return median_doubt(doubts);
 }
 
 void draw_doubt(const Workspace& workspace, const std::string& photo, double median) {
   const MatteDoubt* doubt = doubt_of(workspace, photo);
   if (!doubt) return;
-  if (doubt->doubt <= kDoubtful * median) return badge(Tone::good, "like the others");
+  if (!stands_out(*doubt, median)) return badge(Tone::good, "like the others");
   badge(Tone::note, "look here");
   if (!doubt->reason.empty()) paragraph(doubt->reason);
 }
@@ -103,7 +99,7 @@ void draw_cell(Workspace& workspace, const SmallPhoto& photo, double median, flo
   ImGui::TextUnformatted(
       (photo.name + "  " + stroke_words(strokes_on(workspace, photo.name).size())).c_str());
   const MatteDoubt* doubt = doubt_of(workspace, photo.name);
-  if (doubt && doubt->doubt > kDoubtful * median) {
+  if (doubt && stands_out(*doubt, median)) {
     badge(Tone::note, "look here");
     if (!doubt->reason.empty()) ImGui::TextUnformatted(doubt->reason.c_str());
   }
