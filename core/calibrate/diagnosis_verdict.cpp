@@ -14,6 +14,7 @@ namespace {
 // for too: photos then share their error, and a solve as a whole is off by twice its sigma in 2 of
 // 100 cases (Rayleigh), which no average over photos makes better.
 constexpr double kSharedShare = 5.0 / 6.0;
+constexpr std::size_t kPlenty = 7;  // sightings that no other place explains by chance
 
 constexpr double kOtherPlaceCost = 16.0;  // dearer by less, another place of a camera is as likely
 constexpr double kElsewhere_px = 2.0;
@@ -46,7 +47,6 @@ double apart_px(const Camera& a, const Camera& b, const glm::dvec3& point) {
 
 // Whether the camera could as well stand elsewhere, the points being where they are.
 bool fits_elsewhere(const Solution& solution, int camera) {
-  constexpr std::size_t kPlenty = 7;
   const std::vector<PoseSighting> sightings = used_sightings(solution, camera);
   if (sightings.size() >= kPlenty) return false;
   const Camera here = camera_of(solution, camera);
@@ -83,6 +83,12 @@ void judge_photo(const Solution& solution, const SolveQuestion& question, int ca
     finding.reason = "has " + std::to_string(used) +
                      " sightings that fit, too few to check each other: mark " +
                      std::to_string(options.few_sightings - used) + " more or add markers";
+  } else if (used < int(kPlenty) && 3 * finding.outliers > finding.sightings) {
+    // So many mistakes are rare; a wrong place that a few sightings agree on is likelier
+    finding.fate = PhotoFate::uncertain;
+    finding.reason = std::to_string(finding.outliers) + " of its " +
+                     std::to_string(finding.sightings) +
+                     " sightings do not fit the others: look at each of them";
   } else if (finding.crown_sigma_px > options.uncertain_crown_px) {
     finding.fate = PhotoFate::uncertain;
     finding.reason = crown_text(finding.crown_sigma_px, used, options.uncertain_crown_px);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/image/colour.h"
+#include "core/matte/colour_cells.h"
 #include "core/matte/hull.h"
 #include "core/matte/photo_matte.h"
 #include "core/matte/teacher.h"
@@ -20,19 +21,6 @@ constexpr double kMissing = 2.0;     // what is missing spoils a hull more than 
 constexpr double kStandsOut = 1.3;   // of the median
 constexpr double kWorthAWord = 0.01;  // share of the photo
 
-// CIELab cells about as wide as noise and the change of light between photos.
-constexpr int kLightCells = 16, kColourCells = 24;
-constexpr float kColourRange = 64.0f;
-
-std::size_t cell_of(const glm::vec3& lab) {
-  const int l = std::clamp(int(lab.x / 100.0f * kLightCells), 0, kLightCells - 1);
-  const auto cell = [](float value) {
-    const float place = (value + kColourRange) / (2.0f * kColourRange);
-    return std::clamp(int(place * kColourCells), 0, kColourCells - 1);
-  };
-  return std::size_t((l * kColourCells + cell(lab.y)) * kColourCells + cell(lab.z));
-}
-
 // Shares of a photo by colour.
 struct ColourShares {
   std::vector<double> tree, background;
@@ -40,8 +28,8 @@ struct ColourShares {
 };
 
 ColourShares shares_of(const Photo& photo, const Matte& matte) {
-  constexpr std::size_t kCells = std::size_t(kLightCells) * kColourCells * kColourCells;
-  ColourShares shares{std::vector<double>(kCells), std::vector<double>(kCells), 0.0};
+  ColourShares shares{std::vector<double>(kAllColourCells), std::vector<double>(kAllColourCells),
+                      0.0};
   const int step = step_for(matte.rgba.size(), kSample);
   const int columns = (matte.rgba.width() + step - 1) / step;
   const int rows = (matte.rgba.height() + step - 1) / step;
@@ -51,7 +39,7 @@ ColourShares shares_of(const Photo& photo, const Matte& matte) {
       const double alpha = matte.rgba(x, y).a;
       shares.cover += weight * alpha;
       if (photo.srgb.empty()) continue;
-      const std::size_t cell = cell_of(lab_from_srgb(photo.srgb(x, y)));
+      const std::size_t cell = colour_cell(lab_from_srgb(photo.srgb(x, y)));
       shares.tree[cell] += weight * alpha;
       shares.background[cell] += weight * (1.0 - alpha);
     }

@@ -23,8 +23,7 @@ Calibration project_calibration(const Project& project) {
     throw Error(folder + ": the project has no cameras yet; " + cameras_remedy(project.folder));
   }
   if (stored->verdict != Verdict::refused) return *stored;
-  throw Error(folder + ": " + refusal_of(*stored) + "; `bosk calibrate " + folder +
-              "` tells more");
+  throw Error(folder + ": " + refusal_of(*stored) + "; `bosk calibrate " + folder + "` tells more");
 }
 
 FilesByName files_of_folder(const Project& project, const fs::path& folder) {

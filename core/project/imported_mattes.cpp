@@ -121,7 +121,6 @@ Image<std::uint8_t> import_drawing(const SourceFile& file, const Photo& photo,
 Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
                            const Photos& photos, const DecodeLimits& limits, Progress& progress) {
   Scribbles scribbles;
-  std::string half_drawn, half_drawn_in;  // a photo, and where its strokes are
   for (const Photo& photo : photos) {
     progress.check();
     const SourceFile* file = file_named(files, photo.name);
@@ -130,19 +129,7 @@ Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& 
     if (file != nullptr) known = import_drawing(*file, photo, limits, progress);
     if (drawn != strokes.end()) paint_strokes(drawn->second, photo, known);
     if (known.empty() || (file == nullptr && is_unknown(known))) continue;
-    if (!has_both_kinds(known) && half_drawn.empty()) {
-      half_drawn = photo.name;
-      half_drawn_in = drawn == strokes.end() ? printable(file->path.string())
-                                             : "photo " + printable(photo.name);
-    }
     scribbles[photo.name] = std::move(known);
-  }
-  // Strokes of one kind correct what those of another photo teach
-  const bool any_whole = std::any_of(scribbles.begin(), scribbles.end(), [](const auto& named) {
-    return has_both_kinds(named.second);
-  });
-  if (!any_whole && !half_drawn.empty()) {
-    require_both_kinds(scribbles.at(half_drawn), half_drawn_in);
   }
   return scribbles;
 }

@@ -23,8 +23,7 @@ Image<std::uint8_t> import_drawing(const SourceFile& file, const Photo& photo,
 
 // Of those photos that have some, in the photos' working pixels: what the files say, with the
 // strokes painted over. A photo of whose strokes nothing is left is not in it. Throws Error naming
-// the file or photo that can't be read or doesn't fit, or one that lacks a kind of stroke where no
-// photo has both.
+// the file or photo that can't be read or doesn't fit.
 Scribbles import_scribbles(const std::vector<SourceFile>& files, const Strokes& strokes,
                            const Photos& photos, const DecodeLimits& limits, Progress& progress);
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "core/matte/first_guess.h"
 #include "core/package/assemble.h"
 #include "core/package/writer.h"
 #include "core/project/imported_mattes.h"
@@ -132,19 +133,14 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
                    Progress& progress) {
   const DecodeLimits limits = decode_limits(recipe.photo);
   if (!capture.mattes.empty()) return import_mattes(capture.mattes, photos, limits, progress);
-  if (capture.scribbles.empty() && capture.strokes.empty()) {
-    throw Error(
-        "the project has neither mattes nor strokes; name a folder of either with "
-        "`bosk new --replace`, or draw strokes in the Matte step of `bosk open`");
-  }
-  const Scribbles scribbles =
-      import_scribbles(capture.scribbles, capture.strokes, photos, limits, progress);
-  return matte_photos(photos, scribbles, recipe.matte, progress);
+  Scribbles drawn = import_scribbles(capture.scribbles, capture.strokes, photos, limits, progress);
+  return matte_photos(photos, guess_where_none(std::move(drawn), photos, progress), recipe.matte,
+                      progress);
 }
 
 Stage matte_stage() {
   Stage stage = stage_of("matte", "Mattes", 6, {"photo"});
-  stage.version = 2;
+  stage.version = 3;
   stage.options = [](Recipe& recipe) { return describe(recipe.matte); };
   stage.hash_sources = [](ContentHasher& hasher, const Capture& capture) {
     hash_left_out(hasher, capture);

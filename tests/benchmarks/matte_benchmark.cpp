@@ -2,10 +2,10 @@
 //
 //   matte_benchmark PHOTOS STROKES TRUTH [OUT] [--cameras=FILE] [--matte.option=value ...]
 //
-// Folders of images that match by name without ending. TRUTH holds one channel or RGBA. Photos
-// without strokes are matted from those that have some. Prints CPU and wall seconds per megapixel
-// and, per photo, SAD per megapixel / 1000, MSE * 1000 and mean (alpha - truth). With OUT, writes
-// RGBA PNGs there.
+// STROKES is a folder, or none: then they are guessed. Folders of images that match by name without
+// ending. TRUTH holds one channel or RGBA. Photos without strokes are matted from those that have
+// some. Prints CPU and wall seconds per megapixel and, per photo, SAD per megapixel / 1000, MSE *
+// 1000 and mean (alpha - truth). With OUT, writes RGBA PNGs there.
 
 #include <chrono>
 #include <cmath>
@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/image/image_io.h"
+#include "core/matte/first_guess.h"
 #include "core/matte/matte.h"
 #include "matte_folders.h"
 
@@ -45,7 +46,9 @@ Score score(const Matte& matte, const fs::path& truth_path) {
 void run(const std::vector<std::string>& folders, const std::string& cameras_path,
          const MatteOptions& options) {
   const Photos photos = read_photos(folders[0], cameras_path);
-  const Scribbles scribbles = read_scribbles(folders[1]);
+  Progress quiet;
+  const Scribbles scribbles =
+      folders[1] == "none" ? guess_strokes(photos, quiet) : read_scribbles(folders[1]);
   double megapixels = 0.0;
   for (const Photo& photo : photos) megapixels += double(photo.srgb.size()) / 1e6;
   Progress progress(

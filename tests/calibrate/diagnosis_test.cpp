@@ -99,6 +99,20 @@ TEST(Diagnosis, APhotoWithThreeSightingsIsRefusedAndWithFourUncertain) {
   EXPECT_THAT(sentences_of(calibration), HasSubstr("mark more points in it"));
 }
 
+TEST(Diagnosis, APhotoOfWhichMoreThanAThirdDoesNotFitIsUncertain) {
+  Orbit orbit = clean_orbit(9);
+  auto& sightings = orbit.photos[6].sightings;
+  ASSERT_GE(sightings.size(), 8u);
+  sightings.resize(8);
+  for (std::size_t i = 0; i < 3; ++i)
+    sightings[i].pixel += glm::dvec2(60.0, -45.0 - 20.0 * double(i));
+  const Calibration calibration = solve(orbit, true);
+  const PhotoFinding& finding = finding_of(calibration, "oak_06");
+  EXPECT_EQ(finding.outliers, 3);
+  EXPECT_EQ(finding.fate, PhotoFate::uncertain);
+  EXPECT_NE(finding.reason.find("3 of its 8 sightings"), std::string::npos) << finding.reason;
+}
+
 TEST(Diagnosis, TwoNamesExchangedAreNamed) {
   Orbit orbit = clean_orbit(9);
   auto& sightings = orbit.photos[5].sightings;

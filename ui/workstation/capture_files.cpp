@@ -87,7 +87,7 @@ void refresh_capture(Workspace& workspace) {
   }
 }
 
-bool lacks_mattes(const Capture& capture) {
+bool begins_with_a_guess(const Capture& capture) {
   const auto holds = [](const std::vector<Stroke>& strokes, StrokeKind kind) {
     return std::any_of(strokes.begin(), strokes.end(),
                        [&](const Stroke& stroke) { return stroke.kind == kind; });

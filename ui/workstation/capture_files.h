@@ -16,6 +16,6 @@ void reread_files(Workspace& workspace);
 
 // Whether nothing tells the tree from its background: neither mattes nor drawings of strokes, nor
 // strokes of both kinds painted on one photo.
-bool lacks_mattes(const Capture& capture);
+bool begins_with_a_guess(const Capture& capture);
 
 }  // namespace bosk

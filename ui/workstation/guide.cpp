@@ -44,7 +44,7 @@ StepGuide calibrate_guide(const Workspace& workspace) {
 // Of a step that a stage makes.
 StepGuide stage_guide(const Workspace& workspace, const std::string& stage,
                       const std::string& action) {
-  const std::string obstacle = obstacle_to(workspace, stage);
+  const std::string obstacle = obstacle_to_stages(workspace);
   if (waits(workspace, stage)) {
     return {Tone::busy, "waits", "", "", "it begins when the job at work is done"};
   }
@@ -60,13 +60,11 @@ StepGuide stage_guide(const Workspace& workspace, const std::string& stage,
 }
 
 StepGuide matte_guide(const Workspace& workspace) {
-  if (workspace.capture && lacks_mattes(*workspace.capture)) {
-    return {Tone::note, "needs strokes",
-            "strokes over the tree and over its background, on one photo or more; or a folder of "
-            "finished mattes",
-            "", "paint a few strokes of both kinds"};
-  }
-  StepGuide guide = stage_guide(workspace, "matte", "matte all photos");
+  const bool guessed = workspace.capture && begins_with_a_guess(*workspace.capture);
+  StepGuide guide = stage_guide(
+      workspace, "matte",
+      guessed ? "matte all photos: without strokes the tree is guessed, and strokes correct it"
+              : "matte all photos");
   std::size_t strokes = 0;
   for (const auto& [photo, list] : workspace.project().strokes) strokes += list.size();
   if (strokes > 0) {

@@ -248,20 +248,14 @@ bool waits(const Workspace& workspace, const std::string& stage) {
   return is_running(workspace, stage) && !is_made_on_the_way_to(workspace.running_stage, stage);
 }
 
-std::string obstacle_to(const Workspace& workspace, const std::string& stage) {
+std::string obstacle_to_stages(const Workspace& workspace) {
   if (!workspace.session) return "open a project first";
   if (!workspace.capture) return workspace.capture_obstacle;
-  const auto needed = stages_up_to(stage);
-  const bool needs_mattes = std::count(needed.begin(), needed.end(), "matte") > 0;
-  if (needs_mattes && lacks_mattes(*workspace.capture)) {
-    return "paint strokes over the tree and over the background of a photo in step Matte, or drop "
-           "a folder of mattes there";
-  }
   return {};
 }
 
 void run_to(Workspace& workspace, const std::string& stage) {
-  if (!obstacle_to(workspace, stage).empty() || is_running(workspace, stage)) return;
+  if (!obstacle_to_stages(workspace).empty() || is_running(workspace, stage)) return;
   if (is_wanted_work(workspace)) {
     workspace.waiting_stage = stage;
     return;

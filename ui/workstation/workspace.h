@@ -150,8 +150,8 @@ bool is_made_from(const Workspace& workspace, const std::string& stage, const st
 bool is_running(const Workspace& workspace, const std::string& stage);
 // Whether it is asked for but not begun: it follows the job at work.
 bool waits(const Workspace& workspace, const std::string& stage);
-// Why the stages up to this one can't run now; empty when they can.
-std::string obstacle_to(const Workspace& workspace, const std::string& stage);
+// Why no stage can run now; empty when they can.
+std::string obstacle_to_stages(const Workspace& workspace);
 
 // Starts a job that makes all stages up to this one; what is finished is loaded instead. Waits for
 // the job at work if the project still asks for what that makes, and stops it otherwise; does

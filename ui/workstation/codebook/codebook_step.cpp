@@ -56,7 +56,7 @@ void draw_buttons(Workspace& workspace) {
   const CodebookStepState& state = workspace.codebook;
   const bool making = is_running(workspace, "compress");
   if (button("codebook/run", "Train codebooks", "finds the patterns that stand for all textures",
-             making ? "it is at work" : obstacle_to(workspace, "compress"))) {
+             making ? "it is at work" : obstacle_to_stages(workspace))) {
     run_to(workspace, "compress");
   }
   std::string obstacle = workspace.results.billboards ? "" : "bake the textures first";

@@ -192,7 +192,7 @@ ExportItem report_item(Workspace& workspace) {
                  "th photo, which takes as long as making the package";
   }
   item.usual = "report";
-  item.obstacle = scored ? obstacle_to(workspace, "pack") : obstacle_to_scoring(workspace);
+  item.obstacle = scored ? obstacle_to_stages(workspace) : obstacle_to_scoring(workspace);
   const std::size_t photos = workspace.capture ? workspace.capture->photos.size() : 0;
   item.size =
       about(estimated_report_bytes(views_of(workspace), photos / std::size_t(held_out.every)));

@@ -23,7 +23,7 @@ constexpr float kToolsEms = 20.0f;
 void follow_import(Workspace& workspace) {
   MatteStepState& step = workspace.matte;
   if (state_of(workspace, "photo") == StageState::current || workspace.running_job != 0) return;
-  if (!workspace.capture || !obstacle_to(workspace, "photo").empty()) return;
+  if (!workspace.capture || !obstacle_to_stages(workspace).empty()) return;
   const std::uint64_t revision = workspace.session->revision();
   if (step.asked_import == revision) return;
   step.asked_import = revision;
@@ -39,7 +39,7 @@ void follow_hand(Workspace& workspace) {
   if (!step.keep_up || step.in_hand || workspace.running_job != 0) return;
   const bool live_due = step.canvas.ready && !(step.canvas.live_of == step.canvas.live_asked);
   const bool half_drawn = !step.canvas.painted.empty() && !step.canvas.live.what_is_missing.empty();
-  if (live_due || half_drawn || !obstacle_to(workspace, "matte").empty()) return;
+  if (live_due || half_drawn || !obstacle_to_stages(workspace).empty()) return;
   const StageState state = state_of(workspace, "matte");
   const std::uint64_t revision = workspace.session->revision();
   if (state == StageState::current || step.kept_up_at == revision) return;
@@ -99,7 +99,7 @@ void draw_main(Workspace& workspace) {
   if (imported && !imported->photos.empty()) {
     return workspace.matte.sheet ? draw_matte_sheet(workspace) : draw_canvas(workspace);
   }
-  const std::string obstacle = obstacle_to(workspace, "photo");
+  const std::string obstacle = obstacle_to_stages(workspace);
   if (!obstacle.empty()) return paragraph("First " + obstacle + ".");
   paragraph(workspace.running_job != 0 ? "The photos are being read."
                                        : "The photos could not be read; see the jobs below.");

@@ -72,12 +72,14 @@ void draw_view_choice(Workspace& workspace) {
 
 void draw_run(Workspace& workspace) {
   MatteStepState& step = workspace.matte;
-  std::string obstacle = obstacle_to(workspace, "matte");
+  std::string obstacle = obstacle_to_stages(workspace);
   const StageState state = state_of(workspace, "matte");
   if (is_running(workspace, "matte")) obstacle = "at work; stop it below";
   if (obstacle.empty() && state == StageState::current) obstacle = "nothing changed since";
   if (button("matte/run", "Matte all photos",
-             "at full size, with what the strokes on all photos teach", obstacle)) {
+             "at full size, with what the strokes on all photos teach; without strokes the tree is "
+             "guessed, to be corrected",
+             obstacle)) {
     run_to(workspace, "matte");
   }
   ImGui::Checkbox("keep up", &step.keep_up);

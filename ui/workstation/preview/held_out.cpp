@@ -58,7 +58,7 @@ bool is_held_out_current(const Workspace& workspace) {
 
 std::string obstacle_to_scoring(const Workspace& workspace) {
   const HeldOutState& state = workspace.preview.held_out;
-  const std::string obstacle = obstacle_to(workspace, "pack");
+  const std::string obstacle = obstacle_to_stages(workspace);
   if (!obstacle.empty()) return obstacle;
   if (workspace.jobs.is_open(state.job)) return "scoring is at work";
   const int photos = int(workspace.capture->photos.size());

@@ -40,7 +40,7 @@ bool draw_package_state(Workspace& workspace) {
     ImGui::SameLine();
   }
   const std::string running = is_running(workspace, "pack") ? "it is being made" : "";
-  const std::string obstacle = obstacle_to(workspace, "pack");
+  const std::string obstacle = obstacle_to_stages(workspace);
   if (state != StageState::stored &&
       button("preview/make", "Make the package", "runs all stages that are not finished",
              obstacle.empty() ? running : obstacle)) {

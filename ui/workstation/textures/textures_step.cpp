@@ -67,7 +67,7 @@ void draw_table(TexturesStepState& state) {
 void draw_controls(Workspace& workspace) {
   const bool making = is_running(workspace, "texture");
   if (button("textures/run", "Bake textures", "makes billboards at every level from the volume",
-             making ? "it is at work" : obstacle_to(workspace, "texture"))) {
+             making ? "it is at work" : obstacle_to_stages(workspace))) {
     run_to(workspace, "texture");
   }
   ImGui::TextDisabled("Options apply to the next run.");

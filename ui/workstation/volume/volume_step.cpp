@@ -63,7 +63,7 @@ void load_what_is_stored(Workspace& workspace) {
 }
 
 void draw_run_buttons(Workspace& workspace) {
-  const std::string obstacle = obstacle_to(workspace, "radiance");
+  const std::string obstacle = obstacle_to_stages(workspace);
   const bool making = is_making(workspace);
   if (button("volume/run_opacity", "Make opacity",
              "finds where the tree is and how dense, from the mattes",

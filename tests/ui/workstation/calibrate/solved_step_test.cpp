@@ -13,7 +13,7 @@ TEST_F(SolvedStep, BeginsWithWhatToPress) {
   EXPECT_THAT(guide_of(workspace, WorkStep::calibrate).next, HasSubstr("Find markers"));
   EXPECT_TRUE(hand.is_enabled("calibrate/find"));
   EXPECT_TRUE(hand.sees("calibrate/canvas")) << "photos can be clicked before";
-  EXPECT_THAT(obstacle_to(workspace, "photo"), HasSubstr("step Calibrate"));
+  EXPECT_THAT(obstacle_to_stages(workspace), HasSubstr("step Calibrate"));
 }
 
 TEST_F(SolvedStep, FindsSolvesAndLetsLaterStepsBegin) {
@@ -27,7 +27,7 @@ TEST_F(SolvedStep, FindsSolvesAndLetsLaterStepsBegin) {
   EXPECT_TRUE(hand.sees("calibrate/point/red"));
   ASSERT_TRUE(workspace.capture);
   EXPECT_EQ(workspace.capture->cameras.size(), 10u);
-  EXPECT_EQ(obstacle_to(workspace, "photo"), "");
+  EXPECT_EQ(obstacle_to_stages(workspace), "");
   hand.click("calibrate/show/cameras");
   hand.frame();
   EXPECT_TRUE(hand.sees("calibrate/frustum/000"));
@@ -52,7 +52,7 @@ TEST_F(SolvedStep, ARefusalSaysWhyAndStopsLaterSteps) {
   EXPECT_FALSE(guide.has.empty());
   EXPECT_FALSE(guide.next.empty());
   EXPECT_FALSE(workspace.capture);
-  EXPECT_THAT(obstacle_to(workspace, "photo"), HasSubstr("no cameras could be found"));
+  EXPECT_THAT(obstacle_to_stages(workspace), HasSubstr("no cameras could be found"));
 }
 
 class SolvedCapture : public SolvedStep {
