@@ -43,7 +43,7 @@ TEST_F(MatteFollow, ALiveMatteFollowsTheOptions) {
 }
 
 TEST_F(MatteFollow, MatteAllPhotosShowsTheFullMatte) {
-  EXPECT_FALSE(hand.is_enabled("matte/run"));  // no strokes
+  EXPECT_TRUE(hand.is_enabled("matte/run"));  // without strokes the tree is guessed
   paint_both();
   hand.settle();
   hand.click("matte/run");
