@@ -10,6 +10,7 @@
 #include "core/project/calibration_store.h"
 #include "core/project/camera_wheel.h"
 #include "core/project/reshoot.h"
+#include "core/project/svg_labels.h"
 #include "tests/base/scratch_folder.h"
 
 namespace bosk {
@@ -179,6 +180,36 @@ TEST(CameraWheel, ShowsEveryCameraAndWhereToReshoot) {
     EXPECT_NE(svg.find(name), std::string::npos) << name;
   }
   EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+// Ninety printed markers in a square of a metre.
+Calibration with_a_board(Calibration calibration) {
+  for (int i = 0; i < 90; ++i)
+    calibration.points.push_back({"tag " + std::to_string(i) + "/0",
+                                  {0.1 * (i % 9), 0.1 * (i / 9), 0.0},
+                                  glm::dmat3(1e-6),
+                                  7,
+                                  0.4});
+  return calibration;
+}
+
+long count_of(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(CameraWheel, NamesMarkersThatStandCloseOnlyWhereThereIsRoom) {
+  const std::string svg = camera_wheel_svg(with_a_board(sample()));
+  EXPECT_EQ(count_of(svg, "stroke=\"#333\""), 91);
+  EXPECT_GT(count_of(svg, "fill=\"#333\""), 3);
+  EXPECT_LT(count_of(svg, "fill=\"#333\""), 60);
+}
+
+TEST(SvgLabels, StayWithinTheDrawing) {
+  const SvgLabel label[] = {{{95, 50}, "yellow", "#ff0"}};
+  const std::string svg = svg_labels(label, 10.0, 5.0, {0, 0}, {100, 100});
+  EXPECT_NE(svg.find("x=\"52.8\""), std::string::npos) << svg;  // 95 - 5 - 6 letters of 6.2
 }
 
 TEST(StoredCalibration, IsTheRefinedOneOnlyWhereThatIsAskedForAndDone) {
