@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/project/binary_items.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/calibration_store.h"
@@ -210,6 +212,25 @@ TEST(SvgLabels, StayWithinTheDrawing) {
   const SvgLabel label[] = {{{95, 50}, "yellow", "#ff0"}};
   const std::string svg = svg_labels(label, 10.0, 5.0, {0, 0}, {100, 100});
   EXPECT_NE(svg.find("x=\"52.8\""), std::string::npos) << svg;  // 95 - 5 - 6 letters of 6.2
+}
+
+TEST(WasFound, OnceThePhotosWereLookedThroughWhateverIsClicked) {
+  const ScratchFolder scratch;
+  const Cache cache(scratch / "cache");
+  Image<glm::u8vec3> grey(64, 48);
+  write_file_atomically(scratch / "oak.png", png_bytes(grey));
+  CalibrationSources sources;
+  sources.photos = source_files({{"oak", scratch / "oak.png"}});
+  sources.options.features = "off";
+  EXPECT_FALSE(was_found(sources, cache));
+  Progress quiet;
+  find_for_calibration(sources, cache, quiet);
+  EXPECT_TRUE(was_found(sources, cache));
+  sources.sightings = {{"oak", {{"red", {true, {9, 9}}}}}};
+  sources.left_out = {{"oak", {Stroke()}}};
+  EXPECT_TRUE(was_found(sources, cache));
+  sources.options.balls.smallest_diameter_px += 1.0;
+  EXPECT_FALSE(was_found(sources, cache));
 }
 
 TEST(StoredCalibration, IsTheRefinedOneOnlyWhereThatIsAskedForAndDone) {

@@ -246,6 +246,25 @@ TEST_F(SolvedCapture, IsThereAgainWhenTheProjectIsOpenedAgain) {
   EXPECT_TRUE(workspace.capture);
 }
 
+TEST_F(SolvedStep, GoesOnByItselfWhereTheWindowWasClosedDuringASolve) {
+  open(true_clicks());
+  find();
+  ASSERT_EQ(solve_state(workspace), SolveState::current) << state().solved.trouble;
+  const ContentHash key = state().solved.key;
+  const std::filesystem::path cache = workspace.project().cache_folder();
+  close_project(workspace);
+  int solves = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cache)) {
+    if (!entry.path().filename().string().starts_with("calibrate-")) continue;
+    std::filesystem::remove(entry.path());
+    ++solves;
+  }
+  EXPECT_EQ(solves, 1);
+  show();
+  EXPECT_EQ(solve_state(workspace), SolveState::current);
+  EXPECT_EQ(state().solved.key, key);
+}
+
 // Of the words that the newest frame shows under names that begin so.
 std::vector<Landmark> landmarks_under(const Workspace& workspace, const std::string& beginning) {
   std::vector<Landmark> found;
