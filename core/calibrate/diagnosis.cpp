@@ -146,8 +146,8 @@ void add_cameras(const Solution& solution, const std::vector<PhotoFinding>& find
 
 std::optional<std::string> too_little(const SolveInput& input, const SolveQuestion& question) {
   if (question.photos.size() < 3)
-    return "there are " + std::to_string(question.photos.size()) +
-           " photos, and places of cameras need three at least: take 12 or more round the tree";
+    return "photos to place: " + std::to_string(question.photos.size()) +
+           ", and places of cameras need three at least: take 12 or more round the tree";
   if (points_on_a_line(question.photos, input.refused))
     return "all points lie on one straight line, which leaves the cameras free to turn about it: "
            "put three or more of them well off that line";

@@ -107,16 +107,21 @@ void add_survey_sentences(const Solution& solution, std::vector<std::string>& se
     if (row.used) continue;
     const double length =
         glm::distance(state.points[std::size_t(row.from)], state.points[std::size_t(row.to)]);
-    sentences.push_back("the tape from " + name(row.from) + " to " + name(row.to) + " says " +
-                        number_text(row.length, 3) + " m and the photos " + number_text(length, 3) +
-                        " m: measure it again");
+    const std::string lengths = " says " + number_text(row.length, 3) + " m and the photos " +
+                                number_text(length, 3) + " m: measure it again";
+    const bool is_height = name(row.from) == name(row.to) + " foot";
+    sentences.push_back(is_height
+                            ? "the height of " + name(row.to) + " over its foot" + lengths +
+                                  ", or mark the foot where the stick meets the ground"
+                            : "the tape from " + name(row.from) + " to " + name(row.to) + lengths);
   }
   for (const CoordinateRow& row : input.problem.coordinates) {
     if (row.used) continue;
     const double value = state.points[std::size_t(row.point)][row.axis];
-    sentences.push_back(std::string(row.axis == 2 ? "the height" : "the surveyed place") + " of " +
-                        name(row.point) + " was measured as " + number_text(row.value, 3) +
-                        " m and the photos say " + number_text(value, 3) + " m: measure it again");
+    const char* const what[] = {"x of the surveyed place", "y of the surveyed place", "the height"};
+    sentences.push_back(std::string(what[row.axis]) + " of " + name(row.point) +
+                        " was measured as " + number_text(row.value, 3) + " m and the photos say " +
+                        number_text(value, 3) + " m: measure it again");
   }
 }
 
@@ -129,6 +134,17 @@ void add_world_sentences(const Calibration& calibration, std::vector<std::string
     sentences.push_back(
         "up is a guess, from cameras held at one height: give the heights of three points, or mark "
         "balls and feet of upright sticks");
+}
+
+// A few, and how many there are more: of a printed marker all corners are said to have moved.
+void add_the_first(std::vector<std::string> more, std::vector<std::string>& sentences) {
+  constexpr std::size_t kFew = 3;
+  if (more.size() > kFew) {
+    const std::size_t rest = more.size() - kFew;
+    more.resize(kFew);
+    more.back() += " (and " + std::to_string(rest) + " more such)";
+  }
+  sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
 // Photos that are uncertain at the crown share a sentence when they are many.
@@ -219,9 +235,9 @@ void judge(const Solution& solution, const SolveQuestion& question, double noise
                                          : Verdict::usable;
   if (!refusal.empty()) sentences.push_back(refusal);
   if (doubt_of_lens) sentences.push_back(*doubt_of_lens);
-  for (const std::string& sentence : moved_points(solution.input, solution.state, question.photos,
-                                                  solution.loss, calibration.scale_known))
-    sentences.push_back(sentence);
+  add_the_first(moved_points(solution.input, solution.state, question.photos, solution.loss,
+                             calibration.scale_known),
+                sentences);
   for (const std::string& sentence :
        swapped_names(solution.input, solution.state, question.photos, solution.loss))
     sentences.push_back(sentence);

@@ -229,6 +229,9 @@ bool finish(Solution& solution, const SolveQuestion& question, Progress& progres
   solve_bundle(solution.input.problem, solution.state, {kLeastSquares, 20}, progress);
   judge_sightings(solution);
   judge_rows(solution);
+  // What was left out may have been all that held the world
+  solution.determined = determined_by(solution.input.problem, solution.state);
+  solution.input.problem.pinned = solution.determined.free;
   solve_bundle(solution.input.problem, solution.state, {kLeastSquares, 30}, progress);
   return true;
 }

@@ -24,13 +24,29 @@ std::optional<int> index_of(const SolveInput& input, const std::string& point) {
   return int(found - input.points.begin());
 }
 
+// "blue, red, yellow"; empty where these are too many to read. Feet go with their balls.
+std::string names_of(const std::vector<std::string>& points) {
+  constexpr std::size_t kMostNames = 12;
+  std::string names;
+  std::size_t count = 0;
+  for (const std::string& point : points) {
+    if (point.ends_with(" foot")) continue;
+    names += (names.empty() ? "" : ", ") + point;
+    ++count;
+  }
+  return count <= kMostNames ? names : "";
+}
+
 // The index, or a sentence that what was measured can't be used.
 std::optional<int> used_index(SolveInput& input, const std::string& point,
                               const std::string& what) {
   const auto index = index_of(input, point);
-  if (!index)
+  if (!index) {
+    const std::string names = names_of(input.points);
     input.sentences.push_back(what + " isn't used: fewer than two photos see " + point +
-                              ", so mark it in more");
+                              ", so mark it in more" +
+                              (names.empty() ? "" : ", or name one of " + names));
+  }
   return index;
 }
 

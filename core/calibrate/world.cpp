@@ -162,7 +162,7 @@ std::vector<BundleState> beginnings(const BundleProblem& survey, const BundleSta
   return states;
 }
 
-Determined determined_by(const BundleProblem& survey, const BundleState& state) {
+Determined determined_by_survey(const BundleProblem& survey, const BundleState& state) {
   const Eigen::SelfAdjointEigenSolver<Matrix7> solver(
       survey_fit(survey, state, kLeastSquares).normal);
   const double unit = mean_distance(state, mean_centre(state));
@@ -229,9 +229,13 @@ Determined place_in_world(const BundleProblem& problem, BundleState& state) {
     least = std::min(least, cost);
   }
   state = std::move(best);
-  choose_what_is_free(survey, determined_by(survey, state), state);
+  choose_what_is_free(survey, determined_by_survey(survey, state), state);
   place_bodies(problem, state);
-  return determined_by(survey, state);
+  return determined_by_survey(survey, state);
+}
+
+Determined determined_by(const BundleProblem& problem, const BundleState& state) {
+  return determined_by_survey(survey_of(problem, state), state);
 }
 
 BundleState moved(const BundleState& state, const Similarity& target_from_source) {

@@ -29,6 +29,9 @@ inline constexpr double kWeakestSurvey = 0.1;
 // axes), the lowest point on the ground, the first camera at -y. Bodies are placed on their points.
 Determined place_in_world(const BundleProblem& problem, BundleState& state);
 
+// What the rows that are used determine of a world that was placed.
+Determined determined_by(const BundleProblem& problem, const BundleState& state);
+
 // Nearest to all viewing axes; the mean of the points where the axes are parallel.
 glm::dvec3 crown_point(const BundleState& state);
 

@@ -154,6 +154,11 @@ bool is_feature(const std::string& point) {
          point.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
+bool is_foot(const std::string& point) {
+  constexpr std::string_view kFoot = " foot";
+  return point.size() > kFoot.size() && point.ends_with(kFoot);
+}
+
 double spread(const glm::dmat3& covariance) {
   return std::sqrt(std::max(0.0, covariance[0][0] + covariance[1][1] + covariance[2][2]));
 }

@@ -16,6 +16,8 @@ std::string summary_words(const Calibration& calibration);
 
 // Of features there are too many to list.
 bool is_feature(const std::string& point);
+// "red foot": of the stick under the ball that is called red.
+bool is_foot(const std::string& point);
 
 // One sigma of a place, over all three axes, in the units of the world.
 double spread(const glm::dmat3& covariance);

@@ -85,7 +85,29 @@ std::vector<RigidBody> bodies_of(const std::vector<PhotoFinds>& photos,
   return bodies;
 }
 
+constexpr const char* kFound = "found";
+constexpr int kFoundKept = 8;
+
+// Of sources that were looked through; parts left out count where features were looked for.
+ContentHash found_key(const CalibrationSources& sources, bool with_left_out) {
+  CalibrationSources files;
+  files.photos = sources.photos;
+  files.boards = sources.boards;
+  files.profile = sources.profile;
+  files.options = sources.options;
+  if (with_left_out) files.left_out = sources.left_out;
+  const ContentHash untold = calibration_key(files);
+  ContentHasher hasher;
+  hasher.text(kFound).value(untold.high).value(untold.low).value(std::uint8_t(with_left_out));
+  return hasher.finish();
+}
+
 }  // namespace
+
+bool was_found(const CalibrationSources& sources, const Cache& cache) {
+  return cache.contains(kFound, found_key(sources, false)) ||
+         cache.contains(kFound, found_key(sources, true));
+}
 
 CalibrationFinds find_for_calibration(const CalibrationSources& sources, const Cache& cache,
                                       Progress& progress) {
@@ -111,6 +133,10 @@ CalibrationFinds find_for_calibration(const CalibrationSources& sources, const C
   if (needs_features(finds.photos, options)) {
     add_features(sources, cache, finds, progress);
   }
+  if (!finds.unread.empty()) return finds;  // looked at again each time
+  const ContentHash found = found_key(sources, finds_features(finds));
+  cache.store(kFound, found, {}, 0.0);
+  cache.forget_old(kFound, found, kFoundKept);
   return finds;
 }
 

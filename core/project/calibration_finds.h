@@ -36,4 +36,7 @@ struct CalibrationFinds {
 CalibrationFinds find_for_calibration(const CalibrationSources& sources, const Cache& cache,
                                       Progress& progress);
 
+// Whether these sources were looked through to the end before, so that the cache has it all.
+bool was_found(const CalibrationSources& sources, const Cache& cache);
+
 }  // namespace bosk

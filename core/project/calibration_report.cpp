@@ -14,6 +14,7 @@
 #include "core/project/each_photo.h"
 #include "core/project/html.h"
 #include "core/project/reshoot.h"
+#include "core/project/svg_labels.h"
 
 namespace bosk {
 namespace {
@@ -143,23 +144,36 @@ std::vector<std::vector<std::byte>> small_jpegs(const CalibrationSources& source
   return all;
 }
 
+const char* colour_of(const SightingResidual& residual) {
+  return residual.outlier ? "#ff2020" : "#ffee00";
+}
+
 // A circle where the point is seen, and a line to where it is predicted, enlarged.
 std::string residual_svg(const SightingResidual& residual, double px) {
   const glm::dvec2 seen = residual.pixel;
   const glm::dvec2 end = seen + kResidualEnlarged * residual.error_px;
-  const std::string colour = residual.outlier ? "#ff2020" : "#ffee00";
-  const std::string stroke =
-      "stroke=\"" + colour + "\" stroke-width=\"" + number_text(2.0 * px, 2) + "\"";
-  const bool feature = is_feature(residual.point);
-  std::string svg =
-      "<line x1=\"" + number_text(seen.x, 1) + "\" y1=\"" + number_text(seen.y, 1) + "\" x2=\"" +
-      number_text(end.x, 1) + "\" y2=\"" + number_text(end.y, 1) + "\" " + stroke +
-      "/><circle cx=\"" + number_text(seen.x, 1) + "\" cy=\"" + number_text(seen.y, 1) + "\" r=\"" +
-      number_text((feature ? 2.0 : 7.0) * px, 1) + "\" fill=\"none\" " + stroke + "/>";
-  if (feature) return svg;
-  return svg + "<text x=\"" + number_text(seen.x + 10.0 * px, 1) + "\" y=\"" +
-         number_text(seen.y, 1) + "\" fill=\"" + colour + "\" font-size=\"" +
-         number_text(14.0 * px, 1) + "\">" + html_text(residual.point) + "</text>";
+  const std::string stroke = "stroke=\"" + std::string(colour_of(residual)) + "\" stroke-width=\"" +
+                             number_text(2.0 * px, 2) + "\"";
+  const double radius = (is_feature(residual.point) ? 2.0 : 7.0) * px;
+  return "<line x1=\"" + number_text(seen.x, 1) + "\" y1=\"" + number_text(seen.y, 1) + "\" x2=\"" +
+         number_text(end.x, 1) + "\" y2=\"" + number_text(end.y, 1) + "\" " + stroke +
+         "/><circle cx=\"" + number_text(seen.x, 1) + "\" cy=\"" + number_text(seen.y, 1) +
+         "\" r=\"" + number_text(radius, 1) + "\" fill=\"none\" " + stroke + "/>";
+}
+
+// Where not all have room: what was left out first, feet last, since they stand under their balls.
+std::string names_svg(std::vector<SightingResidual> residuals, const glm::dvec2& size, double px) {
+  const auto rank = [](const SightingResidual& one) {
+    return one.outlier ? 0 : is_foot(one.point) ? 2 : 1;
+  };
+  std::stable_sort(residuals.begin(), residuals.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::vector<SvgLabel> labels;
+  for (const SightingResidual& each : residuals) {
+    if (!is_feature(each.point))
+      labels.push_back({each.pixel, each.point, colour_of(each), each.outlier});
+  }
+  return svg_labels(labels, 14.0 * px, 9.0 * px, glm::dvec2(-0.5), size - 0.5);
 }
 
 std::string photo_figure(const PhotoFinding& photo, const Calibration& calibration,
@@ -175,9 +189,12 @@ std::string photo_figure(const PhotoFinding& photo, const Calibration& calibrati
   if (!jpeg.empty()) {
     svg += "<image x=\"-0.5\" y=\"-0.5\" " + size + " href=\"" + data_url("jpeg", jpeg) + "\"/>";
   }
+  std::vector<SightingResidual> residuals;
   for (const SightingResidual& residual : calibration.residuals) {
-    if (residual.photo == photo.photo) svg += residual_svg(residual, px);
+    if (residual.photo == photo.photo) residuals.push_back(residual);
   }
+  for (const SightingResidual& residual : residuals) svg += residual_svg(residual, px);
+  svg += names_svg(std::move(residuals), {width, height}, px);
   return figure(svg + "</svg>", photo.photo + ": " + fate_words(photo.fate) +
                                     (photo.reason.empty() ? "" : ", " + photo.reason));
 }
@@ -223,7 +240,8 @@ void write_calibration_report(const std::filesystem::path& path, const std::stri
   page +=
       "<h2>Sightings</h2>\n<p>Circles: where a point is seen. Lines: from there to where the "
       "solution puts it, enlarged " +
-      number_text(kResidualEnlarged, 0) + " times; red ones were left out.</p>\n" +
+      number_text(kResidualEnlarged, 0) +
+      " times; red ones were left out. Names stand where they fit.</p>\n" +
       photo_figures(sources, calibration, progress) +
       "<p>Made by bosk " BOSK_VERSION ".</p>\n</body></html>\n";
   write_file_atomically(path, page);

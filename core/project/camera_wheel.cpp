@@ -4,18 +4,19 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <string_view>
 
 #include "core/base/number_text.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/html.h"
 #include "core/project/reshoot.h"
+#include "core/project/svg_labels.h"
 
 namespace bosk {
 namespace {
 
 constexpr double kHalfSidePx = 360.0, kMarginPx = 70.0;
-constexpr double kSightPx = 26.0;    // length of a line of sight
+constexpr double kSightPx = 26.0;  // length of a line of sight
+constexpr double kTextPx = 12.0;
 constexpr double kEllipsePx = 18.0;  // what the largest error is drawn as
 constexpr std::array kEnlargements = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
 
@@ -115,16 +116,19 @@ std::string camera_svg(const Camera& camera, const PhotoFinding* finding, const 
   return svg + words(outside, camera.name, "text-anchor=\"middle\"") + "\n";
 }
 
-// A stick's foot lies under its ball.
-bool is_foot(const SolvedPoint& point) {
-  constexpr std::string_view kFoot = " foot";
-  return point.name.size() > kFoot.size() && point.name.ends_with(kFoot);
-}
-
-std::string marker_svg(const SolvedPoint& point, const Plan& plan) {
-  const glm::dvec2 at = plan.place(glm::dvec2(point.in_world));
-  return circle(at, 5.0, "fill=\"#fff\" stroke=\"#333\" stroke-width=\"2\"") +
-         words(at + glm::dvec2(8, 4), point.name, "fill=\"#333\"") + "\n";
+// Names where there is room for them: printed markers stand close together. A stick's foot lies
+// under its ball.
+std::string markers_svg(const Calibration& calibration, const Plan& plan) {
+  std::string svg;
+  std::vector<SvgLabel> labels;
+  for (const SolvedPoint& point : calibration.points) {
+    if (is_feature(point.name) || is_foot(point.name)) continue;
+    const glm::dvec2 at = plan.place(glm::dvec2(point.in_world));
+    svg += circle(at, 5.0, "fill=\"#fff\" stroke=\"#333\" stroke-width=\"2\"") + "\n";
+    labels.push_back({at, point.name, "#333"});
+  }
+  const glm::dvec2 half(kHalfSidePx);
+  return svg + svg_labels(labels, kTextPx, 8.0, -half, half);
 }
 
 std::string reshoot_svg(const ReshootPlace& place, const Plan& plan) {
@@ -147,11 +151,9 @@ std::string camera_wheel_svg(const Calibration& calibration) {
   plan.enlargement = enlargement_for(calibration, plan.px_per_unit);
   const std::string half = number(-kHalfSidePx), side = number(2.0 * kHalfSidePx);
   std::string svg = "<svg viewBox=\"" + half + " " + half + " " + side + " " + side +
-                    "\" style=\"max-width:720px\" font-size=\"12\">\n" +
+                    "\" style=\"max-width:720px\" font-size=\"" + number(kTextPx) + "\">\n" +
                     circle({0, 0}, 7.0, "fill=\"#7a5230\"") + "\n";
-  for (const SolvedPoint& point : calibration.points) {
-    if (!is_feature(point.name) && !is_foot(point)) svg += marker_svg(point, plan);
-  }
+  svg += markers_svg(calibration, plan);
   for (const Camera& camera : calibration.cameras) {
     svg += camera_svg(camera, finding_of(calibration, camera.name), plan);
   }

@@ -168,6 +168,31 @@ TEST(SolveCameras, AWrongTapeIsNamedAmongGoodOnes) {
   EXPECT_LT(std::abs(orbit_errors(orbit, calibration).scale_error), 0.003);
 }
 
+TEST(SolveCameras, AHeightThatItsFootContradictsIsCalledAHeight) {
+  Orbit orbit = make_orbit({.seed = 11, .photos = 12});
+  orbit.names.push_back(orbit.names[0] + " foot");
+  orbit.points.push_back(glm::dvec3(glm::dvec2(orbit.points[0]), 0.1));
+  for (std::size_t i = 0; i < orbit.photos.size(); ++i)
+    for (Sighting& sighting : exact_sightings(orbit, orbit.cameras[i]).sightings)
+      if (sighting.point == orbit.names.back()) orbit.photos[i].sightings.push_back(sighting);
+  Survey survey;
+  survey.heights = exact_heights(orbit);
+  std::erase_if(survey.heights, [&](const Height& h) { return h.point == orbit.names.back(); });
+  const Calibration calibration = solve(orbit, survey, true);
+  EXPECT_THAT(sentences_of(calibration),
+              HasSubstr("the height of " + orbit.names[0] + " over its foot says"));
+}
+
+TEST(SolveCameras, AMeasureOfAPointThatNobodySeesNamesThoseThatAreSeen) {
+  const Orbit orbit = make_orbit({.seed = 11, .photos = 12});
+  Survey survey = one_tape(orbit);
+  survey.heights.push_back({"magenta", 1.0});
+  const std::string sentences = sentences_of(solve(orbit, survey, true));
+  EXPECT_THAT(sentences, HasSubstr("the height of magenta isn't used"));
+  EXPECT_THAT(sentences, HasSubstr("or name one of "));
+  EXPECT_THAT(sentences, HasSubstr(orbit.names[0] + ","));
+}
+
 TEST(SolveCameras, WithoutMeasuresTheUnitIsTheWalksRadius) {
   const Orbit orbit = make_orbit({.seed = 12, .photos = 12});
   const Calibration calibration = solve(orbit, {}, true);

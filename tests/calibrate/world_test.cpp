@@ -61,6 +61,22 @@ TEST(PlaceInWorld, ThreeHeightsAndATapeGiveUpAndGround) {
     EXPECT_NEAR(bundle.state.points[std::size_t(i)].z, true_point(i).z, 1e-4) << i;
 }
 
+// Else nothing would hold the world along what was left out, and error bars would be endless.
+TEST(DeterminedBy, WhatWasLeftOutDeterminesNothing) {
+  OrbitBundle bundle = misplaced();
+  bundle.problem.lengths = {{0, 1, glm::distance(true_point(0), true_point(1)), 0.002, true}};
+  for (const int i : {0, 2, 5}) {
+    for (int axis = 0; axis < 3; ++axis)
+      bundle.problem.coordinates.push_back({i, axis, true_point(i)[axis], 0.005, true});
+  }
+  EXPECT_TRUE(place_in_world(bundle.problem, bundle.state).free.empty());
+  for (CoordinateRow& row : bundle.problem.coordinates) row.used = row.axis == 2;
+  const Determined determined = determined_by(bundle.problem, bundle.state);
+  EXPECT_TRUE(determined.scale && determined.up && determined.ground);
+  EXPECT_FALSE(determined.place || determined.heading);
+  EXPECT_EQ(determined.free.size(), 3u);
+}
+
 TEST(PlaceInWorld, ThreeHeightsAloneGiveNoScale) {
   OrbitBundle bundle = misplaced();
   for (const int i : {0, 2, 5})

@@ -4,12 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/project/binary_items.h"
 #include "core/project/calibration_figures.h"
 #include "core/project/calibration_store.h"
 #include "core/project/camera_wheel.h"
 #include "core/project/reshoot.h"
+#include "core/project/svg_labels.h"
 #include "tests/base/scratch_folder.h"
 
 namespace bosk {
@@ -179,6 +182,55 @@ TEST(CameraWheel, ShowsEveryCameraAndWhereToReshoot) {
     EXPECT_NE(svg.find(name), std::string::npos) << name;
   }
   EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+// Ninety printed markers in a square of a metre.
+Calibration with_a_board(Calibration calibration) {
+  for (int i = 0; i < 90; ++i)
+    calibration.points.push_back({"tag " + std::to_string(i) + "/0",
+                                  {0.1 * (i % 9), 0.1 * (i / 9), 0.0},
+                                  glm::dmat3(1e-6),
+                                  7,
+                                  0.4});
+  return calibration;
+}
+
+long count_of(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(CameraWheel, NamesMarkersThatStandCloseOnlyWhereThereIsRoom) {
+  const std::string svg = camera_wheel_svg(with_a_board(sample()));
+  EXPECT_EQ(count_of(svg, "stroke=\"#333\""), 91);
+  EXPECT_GT(count_of(svg, "fill=\"#333\""), 3);
+  EXPECT_LT(count_of(svg, "fill=\"#333\""), 60);
+}
+
+TEST(SvgLabels, StayWithinTheDrawing) {
+  const SvgLabel label[] = {{{95, 50}, "yellow", "#ff0"}};
+  const std::string svg = svg_labels(label, 10.0, 5.0, {0, 0}, {100, 100});
+  EXPECT_NE(svg.find("x=\"52.8\""), std::string::npos) << svg;  // 95 - 5 - 6 letters of 6.2
+}
+
+TEST(WasFound, OnceThePhotosWereLookedThroughWhateverIsClicked) {
+  const ScratchFolder scratch;
+  const Cache cache(scratch / "cache");
+  Image<glm::u8vec3> grey(64, 48);
+  write_file_atomically(scratch / "oak.png", png_bytes(grey));
+  CalibrationSources sources;
+  sources.photos = source_files({{"oak", scratch / "oak.png"}});
+  sources.options.features = "off";
+  EXPECT_FALSE(was_found(sources, cache));
+  Progress quiet;
+  find_for_calibration(sources, cache, quiet);
+  EXPECT_TRUE(was_found(sources, cache));
+  sources.sightings = {{"oak", {{"red", {true, {9, 9}}}}}};
+  sources.left_out = {{"oak", {Stroke()}}};
+  EXPECT_TRUE(was_found(sources, cache));
+  sources.options.balls.smallest_diameter_px += 1.0;
+  EXPECT_FALSE(was_found(sources, cache));
 }
 
 TEST(StoredCalibration, IsTheRefinedOneOnlyWhereThatIsAskedForAndDone) {

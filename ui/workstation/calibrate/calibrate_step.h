@@ -42,7 +42,8 @@ struct CalibrateStepState {
   SolvedCameras solved;
   CalibrateView shown = CalibrateView::photo;
   PhotoCanvas canvas;
-  std::string new_point, rename_to;                              // as typed
+  std::string shown_in_list;         // the chosen point that the list last scrolled to
+  std::string new_point, rename_to;  // as typed
   std::string typed_profile, typed_boards, typed_profile_place;  // where they are
   std::string pointed_at;        // name of the photo that the mouse is on
   std::vector<PointRow> points;  // as of the revisions below

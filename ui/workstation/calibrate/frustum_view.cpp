@@ -180,7 +180,9 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
   CalibrateStepState& state = workspace.calibrate;
   follow_cameras_shown(state, cameras);
   const ImVec2 area = ImGui::GetContentRegionAvail();
+  std::vector<SceneLabel> labels;
   FrustaScene scene;
+  scene.labels = &labels;
   scene.draw = ImGui::GetWindowDrawList();
   scene.least = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::max(1.0f, area.x), std::max(1.0f, area.y));
@@ -203,6 +205,7 @@ void draw_frusta(Workspace& workspace, const std::vector<Camera>& cameras) {
   for (const std::size_t i : order) draw_frustum(workspace, scene, frusta[i]);
   const auto solved = shown_calibration(state);
   if (solved) draw_error_bars(scene, *solved, kErrorBarShare * depth);
+  draw_labels(scene);
   draw_scale(scene, step, !solved || solved->scale_known);
   scene.draw->PopClipRect();
 

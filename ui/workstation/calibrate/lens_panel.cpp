@@ -138,7 +138,7 @@ void draw_lens_view(Workspace& workspace) {
   const SolvedCameras& solved = workspace.calibrate.solved;
   if (!solved.finds || !solved.finds->boards) {
     return paragraph(Tone::muted,
-                     "No photos of a board. With some (10 to 20, near and far, tilted, out to the "
+                     "No photos of a board. With some (10 to 40, near and far, tilted, out to the "
                      "corners) the lens is known before the cameras are solved, and markers come "
                      "out several times as exact.");
   }

@@ -36,9 +36,12 @@ bool draw_point_choice(const std::string& name, const std::vector<PointRow>& poi
                        const char* hint, std::string& chosen) {
   bool changed = false;
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool open =
-      ImGui::BeginCombo(("##" + name).c_str(), chosen.empty() ? hint : chosen.c_str());
+  // A name has room in a table without the arrow, and says by itself what the field is for
+  const ImGuiComboFlags arrow = chosen.empty() ? 0 : ImGuiComboFlags_NoArrowButton;
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), chosen.empty() ? hint : chosen.c_str(),
+                                      arrow | ImGuiComboFlags_HeightLarge);
   mark(name);
+  if (!open) tooltip(chosen);
   if (!open) return false;
   for (const PointRow& point : points) {
     if (ImGui::Selectable(point.name.c_str(), point.name == chosen)) {
@@ -56,8 +59,12 @@ bool draw_removal(const std::string& name) {
   return button(name, "x", "removes it; undo brings it back");
 }
 
+// The column without a name is the one of the button that removes a row.
 void draw_head(std::initializer_list<const char*> names) {
-  for (const char* name : names) ImGui::TableSetupColumn(name);
+  for (const char* name : names) {
+    ImGui::TableSetupColumn(name, *name == '\0' ? ImGuiTableColumnFlags_WidthFixed
+                                                : ImGuiTableColumnFlags_WidthStretch);
+  }
   ImGui::TableHeadersRow();
 }
 
@@ -146,7 +153,7 @@ RowChange draw_surveyed(CalibrateStepState& state, const std::vector<PointRow>& 
                         const std::string& name, SurveyedPoint& point) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  bool changed = draw_point_choice(name + "/point", points, "place of", point.point);
+  bool changed = draw_point_choice(name + "/point", points, "point", point.point);
   changed |= draw_place(state, name, point);
   ImGui::TableNextColumn();
   changed |= draw_length(state, name + "/sigma", point.sigma_m, kMetresPerMm, "%.1f");
@@ -230,7 +237,7 @@ void draw_new_surveyed(Workspace& workspace, const std::vector<PointRow>& points
   SurveyedPoint& point = state.new_surveyed;
   if (ImGui::BeginTable("new surveyed", 4)) {
     ImGui::TableNextColumn();
-    draw_point_choice("calibrate/new_surveyed/point", points, "place of", point.point);
+    draw_point_choice("calibrate/new_surveyed/point", points, "point", point.point);
     draw_place(state, "calibrate/new_surveyed", point);
     ImGui::EndTable();
   }

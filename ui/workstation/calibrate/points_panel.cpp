@@ -35,6 +35,13 @@ void draw_number(const char* format, const std::optional<double>& value) {
   }
 }
 
+// The list scrolls to a point that was chosen on the photo; later it stays where the hand puts it.
+void show_once_chosen(CalibrateStepState& state, const std::string& point) {
+  if (state.canvas.point != point || state.shown_in_list == point) return;
+  if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+  state.shown_in_list = point;
+}
+
 void draw_row(Workspace& workspace, const PointRow& row) {
   PhotoCanvas& canvas = workspace.calibrate.canvas;
   ImGui::TableNextRow();
@@ -46,6 +53,7 @@ void draw_row(Workspace& workspace, const PointRow& row) {
     workspace.calibrate.rename_to = row.name;
   }
   mark("calibrate/point/" + row.name);
+  show_once_chosen(workspace.calibrate, row.name);
   ImGui::TableNextColumn();
   ImGui::Text("%d", row.photos);
   draw_number("%.2f", row.rms_px);

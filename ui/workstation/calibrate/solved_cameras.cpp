@@ -37,10 +37,12 @@ ContentHash files_of(const Project& project) {
   return hasher.finish();
 }
 
-bool holds_calibrations(const fs::path& cache_folder) {
+// Of photos that were looked through before; without any no photo need be read to know.
+bool holds_finds(const fs::path& cache_folder) {
   std::error_code failure;
   for (const auto& entry : fs::directory_iterator(cache_folder, failure)) {
-    if (entry.path().filename().string().starts_with("calibrate-")) return true;
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("calibrate-") || name.starts_with("found-")) return true;
   }
   return false;
 }
@@ -107,15 +109,20 @@ Outcome found(const Project& project, Progress& progress) {
   });
 }
 
-// Of what was calibrated before; nothing where it wasn't.
+// Of what was calibrated before, or found before and not solved to the end; nothing where it
+// wasn't.
 Outcome loaded(const Project& project, Progress& progress) {
   return outcome_of({files_of(project)}, [&](Outcome& outcome) {
     progress.begin("looking for an earlier calibration", 1);
-    if (!holds_calibrations(project.cache_folder())) return;
+    if (!holds_finds(project.cache_folder())) return;
     const Cache cache(project.cache_folder());
     const CalibrationSources sources = gather_calibration(project);
-    if (!stored_calibration(sources, cache)) return;
-    find(outcome, sources, cache, progress);
+    if (!stored_calibration(sources, cache) && !was_found(sources, cache)) return;
+    {
+      const ProgressPart part(progress, 0.0, 0.5);
+      find(outcome, sources, cache, progress);
+    }
+    const ProgressPart part(progress, 0.5, 1.0);
     solve(outcome, cache, progress);
   });
 }

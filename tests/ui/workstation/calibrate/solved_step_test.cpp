@@ -246,6 +246,82 @@ TEST_F(SolvedCapture, IsThereAgainWhenTheProjectIsOpenedAgain) {
   EXPECT_TRUE(workspace.capture);
 }
 
+TEST_F(SolvedStep, GoesOnByItselfWhereTheWindowWasClosedDuringASolve) {
+  open(true_clicks());
+  find();
+  ASSERT_EQ(solve_state(workspace), SolveState::current) << state().solved.trouble;
+  const ContentHash key = state().solved.key;
+  const std::filesystem::path cache = workspace.project().cache_folder();
+  close_project(workspace);
+  int solves = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cache)) {
+    if (!entry.path().filename().string().starts_with("calibrate-")) continue;
+    std::filesystem::remove(entry.path());
+    ++solves;
+  }
+  EXPECT_EQ(solves, 1);
+  show();
+  EXPECT_EQ(solve_state(workspace), SolveState::current);
+  EXPECT_EQ(state().solved.key, key);
+}
+
+// Of the words that the newest frame shows under names that begin so.
+std::vector<Landmark> landmarks_under(const Workspace& workspace, const std::string& beginning) {
+  std::vector<Landmark> found;
+  for (const auto& [name, landmark] : workspace.landmarks) {
+    if (name.starts_with(beginning)) found.push_back(landmark);
+  }
+  return found;
+}
+
+void expect_apart(const std::vector<Landmark>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool apart = words[i].least.x >= words[j].most.x ||
+                         words[j].least.x >= words[i].most.x ||
+                         words[i].least.y >= words[j].most.y || words[j].least.y >= words[i].most.y;
+      EXPECT_TRUE(apart) << i << " covers " << j;
+    }
+  }
+}
+
+TEST_F(SolvedCapture, NamesOfPointsInTheViewOfCamerasCoverNoneOfEachOther) {
+  hand.click("calibrate/show/cameras");
+  hand.frame();
+  hand.move_to(hand.at("calibrate/view").middle());
+  hand.wheel(-5.0f);  // far away, where all points are close together
+  hand.frame(2);
+  const auto names = landmarks_under(workspace, "calibrate/label/");
+  EXPECT_GE(names.size(), 3u);
+  expect_apart(names);
+}
+
+// Twenty points close together on the first photo.
+HandSightings crowded_clicks() {
+  HandSightings clicks;
+  for (int i = 0; i < 20; ++i) {
+    clicks["000"]["p" + std::to_string(10 + i)] = {true,
+                                                   {60.0 + 8.0 * (i % 5), 60.0 + 3.0 * (i / 5)}};
+  }
+  return clicks;
+}
+
+TEST_F(SolvedStep, NamesOfMarksOnAPhotoCoverNoneOfEachOther) {
+  open(crowded_clicks());
+  const auto names = landmarks_under(workspace, "calibrate/name/");
+  EXPECT_GE(names.size(), 5u);
+  expect_apart(names);
+}
+
+TEST_F(SolvedStep, TheListScrollsToAPointThatIsChosenOnThePhoto) {
+  open(crowded_clicks());
+  ASSERT_FALSE(hand.sees("calibrate/point/p29"));
+  hand.click("calibrate/mark/p29");
+  hand.frame(2);
+  EXPECT_EQ(state().canvas.point, "p29");
+  EXPECT_TRUE(hand.sees("calibrate/point/p29"));
+}
+
 TEST_F(SolvedCapture, OtherOptionsMakeItOutOfDateUntilTheyAreUndone) {
   edit(workspace, option_edit(workspace.project(), "calibrate.smallest_ball", "9"));
   ASSERT_TRUE(hand.settle());
