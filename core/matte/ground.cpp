@@ -23,7 +23,7 @@ constexpr float kStandsOut = 0.8f;     // the best height's spread against the m
 constexpr float kLeastTolerance = 3.0f, kSpreads = 1.5f;  // Lab; multiples of the places' spread
 constexpr float kMostOff = 9.0f;                          // squared, in tolerances
 constexpr float kBlurCells = 1.2f;  // grass, leaves and specks of light are finer than cells
-constexpr float kAlike = 1.5f, kUnlike = 2.6f;  // mean squares, in tolerances: likeness 1 and 0
+constexpr float kAlike = 0.6f, kUnlike = 0.2f;  // exp(1 - mean square): likeness 1 and 0
 constexpr float kFewestKnown = 0.3f;            // of the cells close by
 constexpr int kStandsFrom = 2, kStandsTo = 3;   // cells of the volume above the ground
 constexpr float kStandsSurely = 0.33f;          // alpha agreed on there
@@ -218,8 +218,8 @@ Image<float> likeness_of(const std::vector<View>& views, std::size_t i, double g
   known = blurred(known, kBlurCells);
   for (std::size_t k = 0; k < off.size(); ++k) {
     const float share = known.data()[k], mean = off.data()[k] / std::max(share, kFewestKnown);
-    const float alike = std::clamp((kUnlike - mean) / (kUnlike - kAlike), 0.0f, 1.0f);
-    off.data()[k] = share < kFewestKnown ? 0.0f : alike;
+    const float alike = (std::exp(1.0f - mean) - kUnlike) / (kAlike - kUnlike);
+    off.data()[k] = share < kFewestKnown ? 0.0f : std::clamp(alike, 0.0f, 1.0f);
   }
   return off;
 }
