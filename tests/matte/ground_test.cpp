@@ -1,6 +1,7 @@
 #include "core/matte/ground.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -89,6 +90,18 @@ TEST(FindGround, SaysNothingWithoutAWalkRoundTheTree) {
   Progress progress;
   EXPECT_FALSE(find_ground(frontal.photos, frontal.samples, progress));
   EXPECT_FALSE(find_ground(few.photos, few.samples, progress));
+}
+
+TEST(FindGround, SameWithOneThreadAndMany) {
+  const Walk round = walk(6, kCircle, marks);
+  const auto with_threads = [&](std::size_t count) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+    Progress progress;
+    return find_ground(round.photos, round.samples, progress).value();
+  };
+  const Ground one = with_threads(1), many = with_threads(8);
+  EXPECT_EQ(one.height_m, many.height_m);
+  EXPECT_EQ(one.likeness, many.likeness);
 }
 
 TEST(GroundTilts, LeaveTheFootOfTheTrunk) {
