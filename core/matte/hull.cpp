@@ -12,41 +12,31 @@
 namespace bosk {
 namespace {
 
-constexpr int kVoxels = 64;           // along each edge of the cube
-constexpr int kGridSize = 64;         // cells along the longer side of a photo
-constexpr std::size_t kFewest = 4;    // photos
-constexpr double kForgiven = 0.1;     // share of the photos that may miss the tree at a place
-constexpr float kThinTree = 0.1f;     // mean alpha that thin outer twigs still reach
-constexpr float kLeastMean = 0.004f;  // bounds the doubt: log(kLeastMean / kThinTree) = -3.2
+constexpr int kVoxels = AgreedVolume::kSide;
+constexpr int kGridSize = 64;       // cells along the longer side of a photo
+constexpr std::size_t kFewest = 4;  // photos
+constexpr double kForgiven = 0.1;   // share of the photos that may miss the tree at a place
+constexpr float kThinTree = 0.1f;   // mean alpha that thin outer twigs still reach
 constexpr double kLeastSpread =
     0.05;  // smallest eigenvalue of how the view axes spread; about 18 degrees
-
-struct Cube {
-  glm::dvec3 centre{0.0};
-  double half_edge = 0.0;  // metres
-};
 
 glm::dvec3 axis_in_world(const Camera& camera) {
   return glm::transpose(camera.camera_from_world.rotation) * glm::dvec3(0.0, 0.0, 1.0);
 }
 
 // Out to where the photos end.
-std::optional<Cube> cube_seen_by_all(const Photos& photos) {
+std::optional<AgreedVolume> cube_seen_by_all(const Photos& photos) {
   const auto centre = place_seen_by_all(photos);
   if (!centre) return std::nullopt;
-  Cube cube{*centre, 0.0};
+  AgreedVolume cube{*centre, 0.0, {}};
   for (const Photo& photo : photos) {
     const Lens& lens = photo.camera.lens;
-    const double distance = glm::distance(photo.camera.centre_in_world(), cube.centre);
+    const double distance = glm::distance(photo.camera.centre_in_world(), cube.centre_in_world);
     const double slope =
         0.5 * std::max(lens.width_px / lens.focal_px.x, lens.height_px / lens.focal_px.y);
-    cube.half_edge += distance * std::min(slope, 0.9) / double(photos.size());
+    cube.half_edge_m += distance * std::min(slope, 0.9) / double(photos.size());
   }
   return cube;
-}
-
-glm::dvec3 voxel_centre(const Cube& cube, int x, int y, int z) {
-  return cube.centre + cube.half_edge * ((2.0 * glm::dvec3(x, y, z) + 1.0) / double(kVoxels) - 1.0);
 }
 
 struct GridPixel {
@@ -80,38 +70,21 @@ float agreed_alpha(const Photos& photos, const std::vector<Image<float>>& mean_a
   return *rank;
 }
 
-std::vector<float> voxels_of(const Photos& photos, const std::vector<Image<float>>& mean_alpha,
-                             const Cube& cube, Progress& progress) {
-  std::vector<float> voxels(std::size_t(kVoxels) * kVoxels * kVoxels);
-  tbb::parallel_for(0, kVoxels * kVoxels, [&](int row) {
-    std::vector<float> seen;
-    for (int x = 0; x < kVoxels; ++x) {
-      const glm::dvec3 point = voxel_centre(cube, x, row % kVoxels, row / kVoxels);
-      voxels[std::size_t(row) * kVoxels + std::size_t(x)] =
-          agreed_alpha(photos, mean_alpha, point, seen);
-    }
-    progress.check();
-  });
-  return voxels;
-}
-
 // The most that any place along each cell's ray reaches. A voxel marks its cell's neighbours too:
 // voxels are about as far apart as cells, and the outline of the tree is not known better.
-Image<float> most_along_rays(const Photo& photo, const std::vector<float>& voxels,
-                             const Cube& cube) {
+Image<float> most_along_rays(const Photo& photo, const AgreedVolume& volume) {
   const double scale =
       double(kGridSize) / std::max(photo.camera.lens.width_px, photo.camera.lens.height_px);
   const int width = std::max(1, int(photo.camera.lens.width_px * scale));
   const int height = std::max(1, int(photo.camera.lens.height_px * scale));
   Image<float> most(width, height);
   for (int i = 0; i < kVoxels * kVoxels * kVoxels; ++i) {
-    const glm::dvec3 point =
-        voxel_centre(cube, i % kVoxels, i / kVoxels % kVoxels, i / kVoxels / kVoxels);
-    const auto cell = cell_of(photo, point, width, height);
+    const glm::ivec3 place(i % kVoxels, i / kVoxels % kVoxels, i / kVoxels / kVoxels);
+    const auto cell = cell_of(photo, volume.cell_centre(place), width, height);
     if (!cell) continue;
     for (int y = std::max(0, cell->y - 1); y <= std::min(height - 1, cell->y + 1); ++y) {
       for (int x = std::max(0, cell->x - 1); x <= std::min(width - 1, cell->x + 1); ++x) {
-        most(x, y) = std::max(most(x, y), voxels[std::size_t(i)]);
+        most(x, y) = std::max(most(x, y), volume.alpha[std::size_t(i)]);
       }
     }
   }
@@ -134,19 +107,50 @@ std::optional<glm::dvec3> place_seen_by_all(const Photos& photos) {
   return glm::inverse(normal) * right;
 }
 
-std::vector<Image<float>> hull_tilts(const Photos& photos,
-                                     const std::vector<Image<float>>& mean_alpha, float weight,
+glm::dvec3 AgreedVolume::cell_centre(const glm::ivec3& cell) const {
+  return centre_in_world + half_edge_m * ((2.0 * glm::dvec3(cell) + 1.0) / double(kSide) - 1.0);
+}
+
+glm::ivec3 AgreedVolume::cell_of(const glm::dvec3& point_in_world) const {
+  const glm::dvec3 share = 0.5 + 0.5 * (point_in_world - centre_in_world) / half_edge_m;
+  return glm::ivec3(glm::floor(glm::clamp(share, -1.0, 2.0) * double(kSide)));
+}
+
+float AgreedVolume::at(const glm::ivec3& cell) const {
+  for (int k = 0; k < 3; ++k) {
+    if (cell[k] < 0 || cell[k] >= kSide) return 0.0f;
+  }
+  return alpha[std::size_t((cell.z * kSide + cell.y) * kSide + cell.x)];
+}
+
+std::optional<AgreedVolume> agreed_volume(const Photos& photos,
+                                          const std::vector<Image<float>>& mean_alpha,
+                                          Progress& progress) {
+  if (photos.size() < kFewest) return std::nullopt;
+  auto volume = cube_seen_by_all(photos);
+  if (!volume) return std::nullopt;
+  volume->alpha.resize(std::size_t(kVoxels) * kVoxels * kVoxels);
+  tbb::parallel_for(0, kVoxels * kVoxels, [&](int row) {
+    std::vector<float> seen;
+    for (int x = 0; x < kVoxels; ++x) {
+      const glm::dvec3 point = volume->cell_centre({x, row % kVoxels, row / kVoxels});
+      volume->alpha[std::size_t(row) * kVoxels + std::size_t(x)] =
+          agreed_alpha(photos, mean_alpha, point, seen);
+    }
+    progress.check();
+  });
+  return volume;
+}
+
+std::vector<Image<float>> hull_tilts(const Photos& photos, const AgreedVolume& volume, float weight,
                                      Progress& progress) {
-  if (photos.size() < kFewest || weight <= 0.0f) return {};
-  const auto cube = cube_seen_by_all(photos);
-  if (!cube) return {};
-  const std::vector<float> voxels = voxels_of(photos, mean_alpha, *cube, progress);
   std::vector<Image<float>> tilts(photos.size());
   tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
     progress.check();
-    tilts[i] = most_along_rays(photos[i], voxels, *cube);
+    tilts[i] = most_along_rays(photos[i], volume);
     for (float& value : tilts[i].pixels()) {
-      value = weight * std::min(0.0f, std::log(std::max(value, kLeastMean) / kThinTree));
+      const float doubt = std::log(std::max(value, 1e-6f) / kThinTree);
+      value = weight * std::clamp(doubt, kMostDoubt, 0.0f);
     }
   });
   return tilts;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/image/area_mean.h"
-#include "core/matte/hull.h"
+#include "core/matte/agreement.h"
 #include "core/matte/photo_matte.h"
 #include "core/matte/surroundings.h"
 #include "core/photo/import.h"
@@ -40,6 +40,16 @@ Study studied(const LivePhoto& photo, const Image<std::uint8_t>& strokes,
   return study;
 }
 
+// The photos' exposures are taken as they are.
+std::optional<Ground> ground_of(const Photos& photos, Progress& progress) {
+  std::vector<LabPlanes> samples;
+  for (const Photo& photo : photos) {
+    const int step = step_for(photo.srgb.size(), kStudySample);
+    samples.push_back(lab_planes(photo.srgb, glm::vec3(1.0f), step, progress));
+  }
+  return find_ground(photos, samples, progress);
+}
+
 }  // namespace
 
 LivePhoto ready_for_live(const Photo& photo, Progress& progress, double megapixels) {
@@ -59,9 +69,8 @@ std::vector<Image<float>> hull_tilts_from(const Photos& photos, const Mattes& ma
                    [](const glm::vec4& pixel) { return pixel.a; });
     outlines.push_back(mean_alpha(alpha, {}, kOutlineSigma));
   }
-  auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
-  tilts.resize(photos.size(), Image<float>(1, 1));
-  return tilts;
+  return agreement_tilts(photos, outlines, ground_of(photos, progress), true,
+                         float(options.hull_weight), progress);
 }
 
 LiveMatte live_matte(const LivePhoto& photo, const Image<std::uint8_t>& strokes,

@@ -29,8 +29,8 @@ struct LiveMatte {
   std::string what_is_missing;
 };
 
-// What the other photos say of each photo (hull.h), from mattes of all that are at hand: for
-// live_matte. One grid per photo, a single zero each where the photos say nothing. About 0.3 s.
+// What the other photos say of each photo (agreement.h), from mattes of all that are at hand: for
+// live_matte. One grid per photo, a single zero each where the photos say nothing. About 0.7 s.
 std::vector<Image<float>> hull_tilts_from(const Photos& photos, const Mattes& mattes,
                                           const MatteOptions& options, Progress& progress);
 

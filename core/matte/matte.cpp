@@ -1,10 +1,11 @@
 #include "core/matte/matte.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
-#include "core/matte/hull.h"
+#include "core/matte/agreement.h"
 #include "core/matte/photo_matte.h"
 #include "core/matte/study.h"
 
@@ -73,13 +74,23 @@ std::vector<Study> study_all(const Photos& photos, const Scribbles& scribbles,
   return studies;
 }
 
-void compare_photos(const Photos& photos, const MatteOptions& options, std::vector<Study>& studies,
+std::optional<Ground> ground_of(const Photos& photos, const std::vector<Study>& studies,
+                                Progress& progress) {
+  std::vector<LabPlanes> samples;
+  for (std::size_t i = 0; i < photos.size(); ++i)
+    samples.push_back(
+        lab_planes(photos[i].srgb, studies[i].lesson.gain, studies[i].step, progress));
+  return find_ground(photos, samples, progress);
+}
+
+void compare_photos(const Photos& photos, const MatteOptions& options,
+                    const std::optional<Ground>& ground, bool settled, std::vector<Study>& studies,
                     Progress& progress) {
   std::vector<Image<float>> outlines;
   outlines.reserve(studies.size());
   for (const Study& study : studies) outlines.push_back(study.outline);
-  auto tilts = hull_tilts(photos, outlines, float(options.hull_weight), progress);
-  tilts.resize(photos.size(), Image<float>(1, 1));
+  const auto tilts =
+      agreement_tilts(photos, outlines, ground, settled, float(options.hull_weight), progress);
   for (std::size_t i = 0; i < photos.size(); ++i) {
     study_again(photos[i], tilts[i], options, studies[i], progress);
   }
@@ -115,8 +126,9 @@ Mattes matte_photos(const Photos& photos, const Scribbles& scribbles, const Matt
     complete(teacher, strokes_of(*teacher.photo, scribbles), options, progress);
   auto studies = study_all(photos, scribbles, teachers, options, progress);
   progress.begin("What all photos agree on", kHullRounds * kStudyRows * photos.size(), 0.3, 0.5);
+  const std::optional<Ground> ground = ground_of(photos, studies, progress);
   for (int round = 0; round < kHullRounds; ++round)
-    compare_photos(photos, options, studies, progress);
+    compare_photos(photos, options, ground, round > 0, studies, progress);
   const double share = 0.5 / double(std::max<std::size_t>(1, photos.size()));
   Mattes mattes;
   for (std::size_t i = 0; i < photos.size(); ++i) {

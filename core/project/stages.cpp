@@ -140,7 +140,7 @@ Mattes made_mattes(const Capture& capture, const Recipe& recipe, const Photos& p
 
 Stage matte_stage() {
   Stage stage = stage_of("matte", "Mattes", 6, {"photo"});
-  stage.version = 3;
+  stage.version = 4;
   stage.options = [](Recipe& recipe) { return describe(recipe.matte); };
   stage.hash_sources = [](ContentHasher& hasher, const Capture& capture) {
     hash_left_out(hasher, capture);
