@@ -20,12 +20,6 @@ struct MatteArguments {
   StageChoices choices;
 };
 
-// Each matte held against the others; none for a project with imported mattes but no photos.
-std::vector<MatteDoubt> doubts_of(const Results& results, Progress& progress) {
-  progress.begin("comparing the mattes", 1);
-  return doubt_mattes(results.imported->photos, *results.mattes, progress);
-}
-
 Json photos_json(const std::vector<MatteDoubt>& doubts) {
   const double median = median_doubt(doubts);
   Json all = Json::array();
@@ -61,8 +55,10 @@ ExitStatus matte(const MatteArguments& arguments, Console& console) {
   const bool compare = !finished || console.json() || !arguments.sheet.empty();
   const Run run = compare ? work.run(work.capture(), {"photo", "matte"}, {0.0, 0.9}) : Run{};
   console.progress().scope(0.9, 1.0);
-  const std::vector<MatteDoubt> doubts =
-      compare ? doubts_of(run.results, console.progress()) : std::vector<MatteDoubt>();
+  std::vector<MatteDoubt> doubts;
+  if (compare) {
+    doubts = doubt_mattes(run.results.imported->photos, *run.results.mattes, console.progress());
+  }
   if (!arguments.sheet.empty()) {
     write_matte_sheet(arguments.sheet, work.project().name(), run.results.imported->photos,
                       *run.results.mattes, doubts, console.progress());

@@ -44,7 +44,7 @@ void judge_count(Judge& judge) {
   const int boards = boards_used(judge.calibration);
   if (boards < kFewestBoards)
     judge.say(Verdict::refused, "only " + boards_text(boards) +
-                                    " can be used, and a lens needs at least 3; take 10 to 20 "
+                                    " can be used, and a lens needs at least 3; take 10 to 40 "
                                     "that fill the picture, from many angles");
   else if (boards < kEnoughBoards)
     judge.say(Verdict::usable, "only " + boards_text(boards) +

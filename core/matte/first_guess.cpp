@@ -13,17 +13,16 @@
 namespace bosk {
 namespace {
 
-constexpr double kEdge = 0.04;           // of a photo's width or height
-constexpr double kFlank = 0.1;           // of its width
-constexpr glm::dvec2 kMiddle{0.2, 0.2};  // half axes of the ellipse about the tree, the same
-constexpr double kRare = 6.0;            // times as common in the middle as along the edges
-constexpr double kCommon = 1.5;          // the other way: gaps in the crown show such colours
-constexpr double kLeastShare = 1e-4;     // of the middle or the edges: fewer pixels say nothing
-constexpr double kFewest = 50.0;         // pixels of tree in a photo
+constexpr double kEdge = 0.04;        // of a photo's width or height
+constexpr double kFlank = 0.1;        // of its width
+constexpr double kMiddle = 0.2;       // half axes of the ellipse about the tree, the same
+constexpr double kRare = 6.0;         // times as common in the middle as along the edges
+constexpr double kCommon = 1.5;       // the other way: gaps in the crown show such colours
+constexpr double kLeastShare = 1e-4;  // of the middle or the edges: fewer pixels say nothing
+constexpr double kFewest = 50.0;      // pixels of tree in a photo
 
-// A place on a photo, 0 to 1 across it.
+// Which parts of a photo a pixel is in.
 struct Place {
-  glm::dvec2 share{0.0};
   bool on_edge = false;
   bool beside = false;  // on the left or right flank, at the heights of the middle
   bool in_middle = false;
@@ -37,10 +36,11 @@ glm::dvec2 middle_of(const Photo& photo, const std::optional<glm::dvec3>& place)
 }
 
 Place place_of(const Photo& photo, const glm::dvec2& middle, int x, int y) {
+  const glm::dvec2 size(photo.srgb.width(), photo.srgb.height());
+  const glm::dvec2 share = (glm::dvec2(x, y) + 0.5) / size;
+  const glm::dvec2 inward = glm::min(share, 1.0 - share);
+  const glm::dvec2 off = (share - middle) / kMiddle;
   Place place;
-  place.share = (glm::dvec2(x, y) + 0.5) / glm::dvec2(photo.srgb.width(), photo.srgb.height());
-  const glm::dvec2 inward = glm::min(place.share, 1.0 - place.share);
-  const glm::dvec2 off = (place.share - middle) / kMiddle;
   place.on_edge = std::min(inward.x, inward.y) < kEdge;
   place.beside = inward.x < kFlank && std::abs(off.y) < 1.0;
   place.in_middle = glm::dot(off, off) < 1.0;
@@ -59,9 +59,10 @@ void make_shares(std::vector<double>& counts) {
   for (double& count : counts) count /= std::max(1.0, all);
 }
 
-Colours colours_of(const Photo& photo, const glm::dvec2& middle) {
+Colours colours_of(const Photo& photo, const glm::dvec2& middle, const Progress& progress) {
   Colours colours;
   for (int y = 0; y < photo.srgb.height(); ++y) {
+    progress.check();
     for (int x = 0; x < photo.srgb.width(); ++x) {
       const Place place = place_of(photo, middle, x, y);
       if (!(place.on_edge || place.beside || place.in_middle)) continue;
@@ -101,10 +102,11 @@ Side side_of(const Colours& colours, std::size_t cell) {
 }
 
 Image<std::uint8_t> strokes_over(const Photo& photo, const glm::dvec2& middle,
-                                 const Colours& colours) {
+                                 const Colours& colours, const Progress& progress) {
   Image<std::uint8_t> strokes(photo.srgb.width(), photo.srgb.height(), kNoStroke);
   double tree = 0.0;
   for (int y = 0; y < photo.srgb.height(); ++y) {
+    progress.check();
     for (int x = 0; x < photo.srgb.width(); ++x) {
       const Place place = place_of(photo, middle, x, y);
       if (!(place.on_edge || place.in_middle)) continue;
@@ -131,13 +133,13 @@ Scribbles guess_strokes(const Photos& photos, Progress& progress) {
   const auto place = place_seen_by_all(photos);
   std::vector<Colours> each(photos.size());
   tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
-    each[i] = colours_of(photos[i], middle_of(photos[i], place));
+    each[i] = colours_of(photos[i], middle_of(photos[i], place), progress);
     progress.advance();
   });
   const Colours colours = mean_of(each);
   std::vector<Image<std::uint8_t>> strokes(photos.size());
   tbb::parallel_for(std::size_t(0), photos.size(), [&](std::size_t i) {
-    strokes[i] = strokes_over(photos[i], middle_of(photos[i], place), colours);
+    strokes[i] = strokes_over(photos[i], middle_of(photos[i], place), colours, progress);
     progress.advance();
   });
   Scribbles scribbles;

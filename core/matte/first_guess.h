@@ -8,8 +8,9 @@ namespace bosk {
 
 // Strokes for photos that nobody has drawn over, to begin with and to be corrected: all of the tree
 // is taken to be in every photo. What lies along a photo's edges is background; what lies about the
-// place that all cameras look at (without cameras: the photo's middle), in colours that are rare
-// along the edges of all photos, is tree. A photo whose middle shows no such colours gets
+// place that all cameras look at (without cameras: the photo's middle) is tree in colours that are
+// rare along the edges and flanks of all photos, background in those that are commoner there. A
+// photo whose middle shows no such colours gets
 // background alone; no strokes at all come back where that is so of all of them. The same at every
 // thread count.
 Scribbles guess_strokes(const Photos& photos, Progress& progress);

@@ -7,6 +7,7 @@
 
 namespace bosk {
 
+// What a person says about photos, by photo.
 struct HandFile {
   HandSightings sightings;
   Strokes left_out;

@@ -4,7 +4,7 @@
 
 #include "core/calibrate/boards.h"
 #include "core/calibrate/lens_solve.h"
-#include "core/phantom/phantom.h"
+#include "tests/calibrate/board_phantom.h"
 #include "tests/calibrate/synthetic_boards.h"
 
 namespace bosk {
@@ -17,21 +17,10 @@ Image<glm::vec3> srgb_of(const Image<glm::u8vec3>& photograph) {
   return srgb;
 }
 
-PhantomOptions small_board_photos() {
-  PhantomOptions options = tiny_phantom();
-  options.photos = 1;
-  options.held_out = 0;
-  options.board_photos = 9;
-  options.width_px = 400;
-  options.height_px = 300;
-  options.samples = 2;
-  return options;
-}
-
 // From rendered photos of a chessboard in the sun to the lens that rendered them.
 TEST(BoardPhotos, GiveTheLensThatTookThem) {
   Progress quiet;
-  const Phantom phantom = make_phantom(small_board_photos(), quiet);
+  const Phantom phantom = make_phantom(small_board_photos(1), quiet);
   const BoardShape shape{BoardKind::chessboard, phantom.board.columns - 1, phantom.board.rows - 1,
                          phantom.board.square};
   std::vector<BoardView> views;

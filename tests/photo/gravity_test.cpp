@@ -56,13 +56,14 @@ std::string maker_note(const glm::dvec3& gravity) {
 }
 
 struct PhonePhoto {
+  std::size_t note_bytes = std::string::npos;  // the note is cut there
   std::string make = "Apple", lens = "iPhone SE (2nd generation) back camera 3.99mm f/1.8";
   glm::dvec3 gravity{-0.0603, -0.8702, -0.4828};  // of an upright photo taken a little downwards
 };
 
 std::string exif_of(const PhonePhoto& phone) {
   const std::string head = std::string("MM\0*", 4) + number(8, 4);
-  const std::string note = maker_note(phone.gravity);
+  const std::string note = maker_note(phone.gravity).substr(0, phone.note_bytes);
   const auto whole = [&](std::size_t exif_at) {
     return directory({text_entry(0x010f, phone.make),
                       {0x0112, 3, 1, number(6, 2)},
@@ -109,6 +110,17 @@ TEST(Gravity, IsNoneWhereNothingCanBeSaid) {
   const ScratchFolder folder;
   ASSERT_TRUE(write_photo(folder / "bare.jpg", {}));
   EXPECT_FALSE(decode_photo(folder / "bare.jpg", {}, Progress()).metadata.up_in_camera);
+}
+
+// The note is 56 bytes long: three fractions of 8 bytes behind a directory of one entry.
+TEST(Gravity, IsNoneInANoteThatIsCutAnywhere) {
+  const ScratchFolder folder;
+  for (std::size_t bytes = 5; bytes < 56; ++bytes) {
+    write_phone_photo(folder / "cut.jpg", {.note_bytes = bytes});
+    EXPECT_FALSE(up_from_maker_note(folder / "cut.jpg")) << bytes;
+  }
+  write_phone_photo(folder / "whole.jpg", {.note_bytes = 56});
+  EXPECT_TRUE(up_from_maker_note(folder / "whole.jpg"));
 }
 
 // Held lying with the top to the left, a photo is stored as it is seen: up is along -y.

@@ -61,10 +61,10 @@ StepGuide stage_guide(const Workspace& workspace, const std::string& stage,
 
 StepGuide matte_guide(const Workspace& workspace) {
   const bool guessed = workspace.capture && begins_with_a_guess(*workspace.capture);
-  StepGuide guide = stage_guide(
-      workspace, "matte",
-      guessed ? "matte all photos: without strokes the tree is guessed, and strokes correct it"
-              : "matte all photos");
+  StepGuide guide = stage_guide(workspace, "matte", "matte all photos");
+  if (guessed && guide.state == "to do") {
+    guide.next += ": without strokes the tree is guessed, and strokes correct it";
+  }
   std::size_t strokes = 0;
   for (const auto& [photo, list] : workspace.project().strokes) strokes += list.size();
   if (strokes > 0) {

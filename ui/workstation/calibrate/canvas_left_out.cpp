@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/orientation.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/landmarks.h"
 #include "ui/workstation/calibrate/photo_canvas.h"
@@ -37,6 +38,15 @@ void keep(Workspace& workspace) {
   const PhotoRow* row = row_on_canvas(workspace);
   if (!row || stroke.points_px.empty()) return;
   edit_or_tell(workspace, AddStroke{row->name, std::move(stroke)});
+}
+
+void push_clip_to_photo(ImDrawList& draw, const CanvasPhoto& photo, const ImagePlace& place) {
+  const glm::dvec2 size = upright_size(photo.size_px, photo.orientation);
+  const glm::dvec2 least = place.screen_from_picture(glm::dvec2(-0.5));
+  const glm::dvec2 most = place.screen_from_picture(size - 0.5);
+  draw.PushClipRect(
+      {std::max(place.least.x, float(least.x)), std::max(place.least.y, float(least.y))},
+      {std::min(place.most.x, float(most.x)), std::min(place.most.y, float(most.y))}, true);
 }
 
 // One translucent band; a stroke of one point is a disc.
@@ -80,13 +90,15 @@ void resize_left_out_brush(PhotoCanvas& canvas, int steps) {
 void draw_left_out(const Workspace& workspace, const CanvasPhoto& photo, const ImagePlace& place) {
   const PhotoCanvas& canvas = workspace.calibrate.canvas;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect(place.least, place.most, true);
+  push_clip_to_photo(draw, photo, place);
   if (const auto* strokes = left_out_on_canvas(workspace)) {
     for (const Stroke& stroke : *strokes) draw_stroke(draw, stroke, photo, place);
   }
   if (canvas.leaving_out && !canvas.leaving_out->points_px.empty()) {
     draw_stroke(draw, *canvas.leaving_out, photo, place);
   }
+  draw.PopClipRect();
+  draw.PushClipRect(place.least, place.most, true);
   if (canvas.brush && (place.hovered || canvas.leaving_out)) {
     const float radius = float(brush_px(canvas, photo) * place.scale);
     draw.AddCircle(ImGui::GetIO().MousePos, radius + 1.0f, IM_COL32(0, 0, 0, 200), 0, 3.0f);

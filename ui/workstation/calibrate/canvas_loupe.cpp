@@ -43,7 +43,7 @@ void draw_cross(ImDrawList& draw, const glm::dvec2& at_px, const ImVec2& least,
 
 void draw_loupe(const Workspace& workspace, const CanvasPhoto& photo, const ImagePlace& place) {
   const PhotoCanvas& canvas = workspace.calibrate.canvas;
-  if (!canvas.loupe || !(place.hovered || canvas.held) || !canvas.large.picture) return;
+  if (!canvas.loupe || canvas.brush || !(place.hovered || canvas.held) || !canvas.large.picture) return;
   const Image<glm::u8vec4>& picture = *canvas.large.picture;
   const glm::dvec2 upright = canvas.held ? photo.upright(canvas.held->pixel) : place.mouse_px();
   // The picture may be a reduced copy of the photo

@@ -1,4 +1,5 @@
 #include "core/calibrate/lens_profile.h"
+#include "tests/calibrate/board_phantom.h"
 #include "tests/ui/workstation/calibrate/solved_hand.h"
 
 namespace bosk {
@@ -10,20 +11,10 @@ namespace fs = std::filesystem;
 // Photos of a chessboard beside two of the tree: a lens, but no cameras.
 class LensPanel : public testing::Test {
  protected:
-  static PhantomOptions options() {
-    PhantomOptions options = tiny_phantom();
-    options.photos = 2;
-    options.held_out = 0;
-    options.board_photos = 9;
-    options.width_px = 400;
-    options.height_px = 300;
-    options.samples = 2;
-    return options;
-  }
   static const Phantom& phantom() {
     static const Phantom once = [] {
       Progress quiet;
-      Phantom phantom = make_phantom(options(), quiet);
+      Phantom phantom = make_phantom(small_board_photos(2), quiet);
       write_phantom(scratch().path() / "capture", phantom, quiet);
       return phantom;
     }();
