@@ -65,12 +65,12 @@ void report_photos_alone(const std::string& folder, const Project& project, Cons
                   {"remarks", {"no cameras yet; " + cameras_remedy(folder)}}});
 }
 
-void warn_of_missing_mattes(const Project& project, Console& console) {
+void tell_of_the_guess(const Project& project, Console& console) {
   if (!project.mattes.empty() || !project.scribbles.empty() || !project.strokes.empty()) return;
-  console.warn(
-      "there are no mattes and no strokes yet, so only the photos could be read; give them with "
-      "`bosk new --replace ... --mattes DIR` or `--scribbles DIR`, or draw strokes in the Matte "
-      "step of `bosk open`");
+  console.say(
+      "no mattes and no strokes: the tree will be guessed; better ones come with `bosk new "
+      "--replace "
+      "... --mattes DIR` or `--scribbles DIR`, or with strokes in the Matte step of `bosk open`");
 }
 
 ExitStatus make_new_project(const NewArguments& arguments, Console& console) {
@@ -84,7 +84,7 @@ ExitStatus make_new_project(const NewArguments& arguments, Console& console) {
   }
   ProjectWork work(project, console);
   const Run run = work.run({"photo"});
-  warn_of_missing_mattes(project, console);
+  tell_of_the_guess(project, console);
   report(arguments.folder, project, work.capture(), *run.results.imported, console);
   return ExitStatus::done;
 }
